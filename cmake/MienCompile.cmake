@@ -1,0 +1,71 @@
+# Flags that every target of the project shares, and the two ways to add code: a room of the core
+# and a test.
+
+set(CMAKE_CXX_STANDARD 17)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_C_STANDARD 99)
+set(CMAKE_C_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_CXX_VISIBILITY_PRESET hidden)
+set(CMAKE_C_VISIBILITY_PRESET hidden)
+set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+    set(CMAKE_BUILD_TYPE Release)
+endif()
+
+find_program(MIEN_CCACHE ccache)
+if(MIEN_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+    # Precompiled headers are cached only with these two slacknesses and -fpch-preprocess.
+    set(CMAKE_CXX_COMPILER_LAUNCHER
+        ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${MIEN_CCACHE})
+    set(CMAKE_C_COMPILER_LAUNCHER ${MIEN_CCACHE})
+endif()
+
+add_library(mien_flags INTERFACE)
+# The same bits from every compiler that fuses multiplications by default (abi/README.md).
+target_compile_options(mien_flags INTERFACE
+    -Wall -Wextra -Wshadow -ffp-contract=off $<$<CXX_COMPILER_ID:GNU>:-Wno-psabi>
+    $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fno-gnu-unique -fpch-preprocess>)
+target_compile_definitions(mien_flags INTERFACE EIGEN_NO_DEBUG=$<IF:$<CONFIG:Debug>,0,1>)
+if(MIEN_WERROR)
+    target_compile_options(mien_flags INTERFACE -Werror)
+endif()
+if(MIEN_SANITIZE)
+    add_compile_options(-fsanitize=${MIEN_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
+    add_link_options(-fsanitize=${MIEN_SANITIZE})
+endif()
+
+# mien_room(NAME room ...): the static library mien_NAME from src/NAME/*.cpp, on top of the rooms given.
+function(mien_room name)
+    file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
+    add_library(mien_${name} STATIC ${sources} ${PROJECT_SOURCE_DIR}/src/base/types.hpp)
+    set_target_properties(mien_${name} PROPERTIES LINKER_LANGUAGE CXX)
+    target_link_libraries(mien_${name} PRIVATE mien_flags)
+    if(name STREQUAL "base")
+        target_precompile_headers(mien_base PRIVATE <Eigen/Dense> <string> <vector> <functional> <memory> <map>)
+    else()
+        target_precompile_headers(mien_${name} REUSE_FROM mien_base)
+    endif()
+    target_include_directories(mien_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
+    foreach(room ${ARGN})
+        target_link_libraries(mien_${name} PUBLIC mien_${room})
+    endforeach()
+endfunction()
+
+# mien_unit_test(NAME libraries...): the GoogleTest program test_NAME from tests/unit/NAME/*.cpp.
+function(mien_unit_test name)
+    file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/unit/${name}/*.cpp)
+    if(NOT sources)
+        return()
+    endif()
+    add_executable(test_${name} ${sources})
+    target_link_libraries(test_${name} PRIVATE mien_flags ${ARGN} GTest::gtest GTest::gtest_main)
+    target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/tests)
+    # MIEN_SHARED_DATA: real and simulated scans that are not part of the project; tests that need
+    # them skip where the folder is absent.
+    target_compile_definitions(test_${name} PRIVATE
+        MIEN_SHARED_DATA="${PROJECT_SOURCE_DIR}/../shared/data" MIEN_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    add_test(NAME unit_${name} COMMAND test_${name})
+endfunction()

@@ -1,0 +1,149 @@
+#include "base/dense.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "base/dense_kernels.hpp"
+#include "base/error.hpp"
+#include "base/parallel.hpp"
+
+namespace mien::dense {
+namespace {
+
+bool detect_avx2() {
+#if defined(MIEN_AVX2)
+    __builtin_cpu_init();
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+#else
+    return false;
+#endif
+}
+
+template <typename Scalar>
+const Kernels<Scalar>& kernels();
+
+template <>
+const Kernels<double>& kernels<double>() {
+#if defined(MIEN_AVX2)
+    if (uses_avx2()) return avx2_kernels_f64();
+#endif
+    return portable_kernels_f64();
+}
+
+template <>
+const Kernels<float>& kernels<float>() {
+#if defined(MIEN_AVX2)
+    if (uses_avx2()) return avx2_kernels_f32();
+#endif
+    return portable_kernels_f32();
+}
+
+template <typename Scalar, typename ConstRef, typename MutableRef>
+void multiply_panels(const Context& context, Scalar alpha, const ConstRef& a, Op op_a,
+                     const ConstRef& b, Op op_b, Scalar beta, MutableRef& c) {
+    const bool ta = op_a == Op::transpose, tb = op_b == Op::transpose;
+    const Index m = ta ? a.cols() : a.rows(), k = ta ? a.rows() : a.cols();
+    const Index n = tb ? b.rows() : b.cols();
+    if ((tb ? b.cols() : b.rows()) != k || c.rows() != m || c.cols() != n)
+        fail(Status::internal, "matrix product of %lldx%lld by inner size %lld",
+             static_cast<long long>(m), static_cast<long long>(n), static_cast<long long>(k));
+    const auto& kernel = kernels<Scalar>();
+    // Cut the longer side of C: a panel wide enough to keep the packed operand busy.
+    const bool cut_rows = m >= n;
+    const std::size_t count = static_cast<std::size_t>(cut_rows ? m : n);
+    const std::size_t panel = std::max<std::size_t>(64, std::min<std::size_t>(512, count / 4 + 1));
+    parallel_for(context, count, panel, [&](std::size_t begin, std::size_t end) {
+        const Index first = static_cast<Index>(begin), size = static_cast<Index>(end - begin);
+        if (cut_rows) {
+            const Scalar* a_panel = a.data() + (ta ? first * a.outerStride() : first);
+            kernel.gemm(ta, tb, size, n, k, alpha, a_panel, a.outerStride(), b.data(),
+                        b.outerStride(), beta, c.data() + first, c.outerStride());
+        } else {
+            const Scalar* b_panel = b.data() + (tb ? first : first * b.outerStride());
+            kernel.gemm(ta, tb, m, size, k, alpha, a.data(), a.outerStride(), b_panel,
+                        b.outerStride(), beta, c.data() + first * c.outerStride(), c.outerStride());
+        }
+    });
+}
+
+template <typename Scalar, typename ConstRef, typename WeightVector, typename MutableRef>
+void gram_panels(const Context& context, const ConstRef& a, const WeightVector& weights,
+                 MutableRef& c) {
+    using Dense = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+    const Index n = a.cols(), rows = a.rows();
+    if (c.rows() != n || c.cols() != n || (weights.size() != 0 && weights.size() != rows))
+        fail(Status::internal, "gram matrix of %lldx%lld into %lldx%lld",
+             static_cast<long long>(rows), static_cast<long long>(n),
+             static_cast<long long>(c.rows()), static_cast<long long>(c.cols()));
+    std::vector<Index> used;
+    used.reserve(static_cast<std::size_t>(rows));
+    for (Index i = 0; i < rows; ++i)
+        if (weights.size() == 0 || weights[i] != Scalar(0)) used.push_back(i);
+
+    // A fixed number of slices, each with a result of its own, added in order.
+    constexpr std::size_t kSlices = 4, kBlock = 256;
+    const std::size_t slice = std::max<std::size_t>(kBlock, (used.size() + kSlices - 1) / kSlices);
+    const std::size_t num_slices = (used.size() + slice - 1) / slice;
+    std::vector<Dense> partial(num_slices);
+    const auto& kernel = kernels<Scalar>();
+    parallel_for(context, used.size(), slice, [&](std::size_t begin, std::size_t end) {
+        Dense& sum = partial[begin / slice];
+        sum.setZero(n, n);
+        Dense block(static_cast<Index>(kBlock), n);
+        for (std::size_t start = begin; start < end; start += kBlock) {
+            const Index size = static_cast<Index>(std::min(end, start + kBlock) - start);
+            for (Index j = 0; j < n; ++j)
+                for (Index i = 0; i < size; ++i) {
+                    const Index row = used[start + static_cast<std::size_t>(i)];
+                    block(i, j) = a(row, j);
+                }
+            if (weights.size() != 0)
+                for (Index i = 0; i < size; ++i)
+                    block.row(i) *= std::sqrt(weights[used[start + static_cast<std::size_t>(i)]]);
+            kernel.gram(n, size, block.data(), block.outerStride(), sum.data(), sum.outerStride());
+        }
+    });
+    c.setZero();
+    for (const Dense& sum : partial) c += sum;
+    for (Index j = 0; j < n; ++j)
+        for (Index i = j + 1; i < n; ++i) c(j, i) = c(i, j);
+}
+
+}  // namespace
+
+bool uses_avx2() {
+    static const bool supported = detect_avx2();
+    return supported;
+}
+
+void multiply(const Context& context, double alpha, const ConstMatrixRefD& a, Op op_a,
+              const ConstMatrixRefD& b, Op op_b, double beta, MatrixRefD c) {
+    multiply_panels<double>(context, alpha, a, op_a, b, op_b, beta, c);
+}
+
+void multiply(const Context& context, float alpha, const ConstMatrixRefF& a, Op op_a,
+              const ConstMatrixRefF& b, Op op_b, float beta, MatrixRefF c) {
+    multiply_panels<float>(context, alpha, a, op_a, b, op_b, beta, c);
+}
+
+void weighted_gram(const Context& context, const ConstMatrixRefD& a, const Vector& weights,
+                   MatrixRefD c) {
+    gram_panels<double>(context, a, weights, c);
+}
+
+void weighted_gram(const Context& context, const ConstMatrixRefF& a, const Eigen::VectorXf& weights,
+                   MatrixRefF c) {
+    gram_panels<float>(context, a, weights, c);
+}
+
+bool solve_spd(MatrixRefD a, MatrixRefD b) {
+    return kernels<double>().solve_spd(a.rows(), b.cols(), a.data(), a.outerStride(), b.data(),
+                                       b.outerStride());
+}
+
+bool solve_spd(MatrixRefF a, MatrixRefF b) {
+    return kernels<float>().solve_spd(a.rows(), b.cols(), a.data(), a.outerStride(), b.data(),
+                                      b.outerStride());
+}
+
+}  // namespace mien::dense

@@ -1,0 +1,30 @@
+// The seam between dense.cpp and its two builds: plain pointers only, so that nothing of the
+// standard library or Eigen is shared between object files of different instruction sets.
+#pragma once
+
+#include <cstddef>
+
+namespace mien::dense {
+
+template <typename Scalar>
+struct Kernels {
+    /// C (m x n) = alpha op(A) op(B) + beta C, inner size k.
+    void (*gemm)(bool transpose_a, bool transpose_b, std::ptrdiff_t m, std::ptrdiff_t n,
+                 std::ptrdiff_t k, Scalar alpha, const Scalar* a, std::ptrdiff_t lda,
+                 const Scalar* b, std::ptrdiff_t ldb, Scalar beta, Scalar* c, std::ptrdiff_t ldc);
+    /// Lower triangle of C (n x n) += A' A for A (k x n).
+    void (*gram)(std::ptrdiff_t n, std::ptrdiff_t k, const Scalar* a, std::ptrdiff_t lda, Scalar* c,
+                 std::ptrdiff_t ldc);
+    /// Cholesky of the lower triangle, then n x m right-hand sides. False: not positive definite.
+    bool (*solve_spd)(std::ptrdiff_t n, std::ptrdiff_t m, Scalar* a, std::ptrdiff_t lda, Scalar* b,
+                      std::ptrdiff_t ldb);
+};
+
+const Kernels<double>& portable_kernels_f64();
+const Kernels<float>& portable_kernels_f32();
+#if defined(MIEN_AVX2)
+const Kernels<double>& avx2_kernels_f64();
+const Kernels<float>& avx2_kernels_f32();
+#endif
+
+}  // namespace mien::dense

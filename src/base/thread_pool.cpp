@@ -1,0 +1,119 @@
+#include "base/thread_pool.hpp"
+
+#include <atomic>
+#include <condition_variable>
+#include <exception>
+#include <limits>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace mien {
+
+struct ThreadPool::State {
+    std::vector<std::thread> workers;
+    std::mutex mutex;
+    std::condition_variable wake, finished;
+    const std::function<void(std::size_t)>* body = nullptr;
+    std::size_t num_chunks = 0;
+    std::atomic<std::size_t> next_chunk{0};
+    std::atomic<bool> failed{false};
+    std::exception_ptr error;
+    std::size_t error_chunk = std::numeric_limits<std::size_t>::max();
+    unsigned long generation = 0;
+    std::size_t busy = 0;
+    bool stopping = false;
+
+    void work() noexcept {
+        for (;;) {
+            if (failed.load(std::memory_order_relaxed)) return;
+            const std::size_t chunk = next_chunk.fetch_add(1, std::memory_order_relaxed);
+            if (chunk >= num_chunks) return;
+            try {
+                (*body)(chunk);
+            } catch (...) {
+                const std::lock_guard<std::mutex> lock(mutex);
+                if (chunk < error_chunk) {
+                    error_chunk = chunk;
+                    error = std::current_exception();
+                }
+                failed.store(true, std::memory_order_relaxed);
+            }
+        }
+    }
+
+    void worker_loop() noexcept {
+        unsigned long seen = 0;
+        std::unique_lock<std::mutex> lock(mutex);
+        for (;;) {
+            wake.wait(lock, [&] { return stopping || generation != seen; });
+            if (stopping) return;
+            seen = generation;
+            lock.unlock();
+            work();
+            lock.lock();
+            if (--busy == 0) finished.notify_one();
+        }
+    }
+
+    void stop() noexcept {
+        {
+            const std::lock_guard<std::mutex> lock(mutex);
+            stopping = true;
+        }
+        wake.notify_all();
+        for (std::thread& worker : workers) worker.join();
+    }
+};
+
+namespace {
+thread_local bool inside_pool = false;  // trivially destructible: does not pin the library
+}
+
+ThreadPool::ThreadPool(int num_threads) : state_(std::make_unique<State>()) {
+    try {
+        for (int i = 1; i < num_threads; ++i)
+            state_->workers.emplace_back([state = state_.get()] {
+                inside_pool = true;
+                state->worker_loop();
+            });
+    } catch (...) {
+        state_->stop();
+        throw;
+    }
+}
+
+ThreadPool::~ThreadPool() { state_->stop(); }
+
+int ThreadPool::num_threads() const noexcept {
+    return static_cast<int>(state_->workers.size()) + 1;
+}
+
+void ThreadPool::run(std::size_t num_chunks, const std::function<void(std::size_t)>& body) {
+    if (state_->workers.empty() || inside_pool || num_chunks <= 1) {
+        for (std::size_t chunk = 0; chunk < num_chunks; ++chunk) body(chunk);
+        return;
+    }
+    State& state = *state_;
+    {
+        const std::lock_guard<std::mutex> lock(state.mutex);
+        state.body = &body;
+        state.num_chunks = num_chunks;
+        state.next_chunk.store(0, std::memory_order_relaxed);
+        state.failed.store(false, std::memory_order_relaxed);
+        state.error = nullptr;
+        state.error_chunk = std::numeric_limits<std::size_t>::max();
+        state.busy = state.workers.size();
+        ++state.generation;
+    }
+    state.wake.notify_all();
+    inside_pool = true;
+    state.work();
+    inside_pool = false;
+    std::unique_lock<std::mutex> lock(state.mutex);
+    state.finished.wait(lock, [&] { return state.busy == 0; });
+    if (state.error) std::rethrow_exception(std::exchange(state.error, nullptr));
+}
+
+}  // namespace mien

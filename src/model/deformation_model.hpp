@@ -1,0 +1,46 @@
+// How a template may move: u(x) = sum_j basis(x, j) a_j + mean(x), a_j ~ N(0, I3) for each scalar
+// mode j (the kernel is k(x, x') I3, so one scalar column serves x, y and z), plus, when trained on
+// faces, vector modes of their own: u += pca_modes c, c ~ N(0, I).
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/context.hpp"
+#include "base/safetensors.hpp"
+#include "mesh/tri_mesh.hpp"
+
+namespace mien {
+
+/// Column-major float matrix that may lie in a mapped file.
+struct FloatMatrixView {
+    const float* data = nullptr;
+    Index rows = 0, cols = 0;
+    Eigen::Map<const Eigen::MatrixXf> map() const { return {data, rows, cols}; }
+};
+
+/// Immutable once built or loaded; shared freely between threads. Millimetres.
+struct DeformationModel {
+    TriMesh template_mesh;
+    FloatMatrixView basis;      ///< #V x r, columns scaled by sqrt(lambda_j), strongest first
+    Vector eigenvalues;         ///< r, lambda_j of the kernel operator, descending
+    Points mean_displacement;   ///< #V x 3 or empty (zero)
+    FloatMatrixView pca_modes;  ///< 3#V x p (x0 y0 z0 x1 ...), scaled by their deviations; p may be 0
+    std::vector<Landmark> landmarks;
+    std::vector<Zone> zones;
+    std::map<std::string, std::string> info;  ///< kernel, sigma_mm, scale_mm, seed, rank, ...
+    std::shared_ptr<const void> storage;      ///< keeps basis and pca_modes alive
+
+    Index num_vertices() const { return template_mesh.vertices.rows(); }
+    Index num_scalar_modes() const { return basis.cols; }  ///< 3 times as many deformation modes
+};
+
+/// safetensors, kind "mien-deformation-model", format 1. The basis stays in the mapped file.
+std::shared_ptr<const DeformationModel> load_deformation_model(
+    const std::string& path, const SafetensorsReadOptions& options, const Context& context);
+void save_deformation_model(const std::string& path, const DeformationModel& model,
+                            const Context& context);
+
+}  // namespace mien

@@ -1,0 +1,67 @@
+#include "base/dense.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/thread_pool.hpp"
+
+namespace mien {
+namespace {
+
+// A fixed, chance-free test matrix.
+template <typename Scalar>
+Eigen::Matrix<Scalar, -1, -1> waves(Index rows, Index cols, double phase) {
+    Eigen::Matrix<Scalar, -1, -1> m(rows, cols);
+    for (Index j = 0; j < cols; ++j)
+        for (Index i = 0; i < rows; ++i)
+            m(i, j) = static_cast<Scalar>(std::sin(phase + 0.37 * i + 1.91 * j * j));
+    return m;
+}
+
+TEST(Dense, ProductsAgreeWithPlainEigen) {
+    const Matrix a = waves<double>(703, 41, 0.1), b = waves<double>(41, 29, 0.2);
+    Matrix c = Matrix::Ones(703, 29);
+    dense::multiply({}, 2.0, a, dense::Op::none, b, dense::Op::none, 3.0, c);
+    EXPECT_LT((c - (2.0 * a * b + Matrix::Constant(703, 29, 3.0))).cwiseAbs().maxCoeff(), 1e-11);
+    Matrix d(41, 41);
+    dense::multiply({}, 1.0, a, dense::Op::transpose, a, dense::Op::none, 0.0, d);
+    EXPECT_LT((d - a.transpose() * a).cwiseAbs().maxCoeff(), 1e-10);
+    Matrix e(41, 703);
+    dense::multiply({}, 1.0, a, dense::Op::transpose, Matrix::Identity(703, 703), dense::Op::transpose, 0.0, e);
+    EXPECT_LT((e - a.transpose()).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(Dense, WeightedGramSkipsZeroWeights) {
+    Matrix a = waves<double>(1500, 23, 0.4);
+    Vector w = Vector::LinSpaced(1500, 0.0, 2.0);
+    w.segment(300, 100).setZero();
+    Matrix c(23, 23);
+    dense::weighted_gram({}, a, w, c);
+    EXPECT_LT((c - a.transpose() * w.asDiagonal() * a).cwiseAbs().maxCoeff(), 1e-9);
+    EXPECT_EQ((c - c.transpose()).cwiseAbs().maxCoeff(), 0.0);
+}
+
+TEST(Dense, SameBitsForAnyThreadCount) {
+    const Eigen::MatrixXf a = waves<float>(5000, 60, 0.3);
+    const Eigen::VectorXf w = Eigen::VectorXf::LinSpaced(5000, 0.1f, 1.0f);
+    Eigen::MatrixXf one(60, 60), many(60, 60);
+    dense::weighted_gram({}, a, w, one);
+    ThreadPool pool(3);
+    Context context;
+    context.pool = &pool;
+    dense::weighted_gram(context, a, w, many);
+    EXPECT_TRUE((one.array() == many.array()).all());
+}
+
+TEST(Dense, SolvesPositiveDefiniteAndRefusesIndefinite) {
+    const Matrix a = waves<double>(90, 30, 0.9);
+    Matrix spd = a.transpose() * a + Matrix::Identity(30, 30);
+    const Matrix truth = waves<double>(30, 3, 0.0);
+    Matrix x = spd * truth;
+    ASSERT_TRUE(dense::solve_spd(spd, x));
+    EXPECT_LT((x - truth).cwiseAbs().maxCoeff(), 1e-10);
+    Matrix indefinite = -Matrix::Identity(4, 4), b = Matrix::Ones(4, 1);
+    EXPECT_FALSE(dense::solve_spd(indefinite, b));
+}
+
+}  // namespace
+}  // namespace mien
