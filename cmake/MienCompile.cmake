@@ -28,7 +28,6 @@ add_library(mien_flags INTERFACE)
 target_compile_options(mien_flags INTERFACE
     -Wall -Wextra -Wshadow -ffp-contract=off $<$<CXX_COMPILER_ID:GNU>:-Wno-psabi>
     $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fno-gnu-unique -fpch-preprocess>)
-target_compile_definitions(mien_flags INTERFACE EIGEN_NO_DEBUG=$<IF:$<CONFIG:Debug>,0,1>)
 if(MIEN_WERROR)
     target_compile_options(mien_flags INTERFACE -Werror)
 endif()
