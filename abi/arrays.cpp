@@ -1,0 +1,102 @@
+#include "arrays.hpp"
+
+#include <limits>
+
+namespace mien::abi {
+namespace {
+
+template <typename Scalar>
+void read_rows(const mien_array_view& view, int columns, double* out) {
+    const std::size_t stride = view.stride_bytes != 0 ? static_cast<std::size_t>(view.stride_bytes)
+                                                      : sizeof(Scalar) * static_cast<std::size_t>(columns);
+    const auto* row = static_cast<const unsigned char*>(view.data);
+    for (std::uint64_t i = 0; i < view.count; ++i, row += stride)
+        for (int k = 0; k < columns; ++k)
+            *out++ = static_cast<double>(reinterpret_cast<const Scalar*>(row)[k]);
+}
+
+void read_any(const mien_array_view& view, int columns, const char* name, double* out) {
+    if (view.dtype == MIEN_DTYPE_F32)
+        read_rows<float>(view, columns, out);
+    else if (view.dtype == MIEN_DTYPE_F64)
+        read_rows<double>(view, columns, out);
+    else
+        fail(Status::invalid_argument, "%s.dtype is %d, must be MIEN_DTYPE_F32 or MIEN_DTYPE_F64", name,
+             view.dtype);
+}
+
+/// Writes the count; true when dst is to be filled.
+bool wants_copy(std::uint64_t rows, const void* dst, std::uint64_t capacity, std::uint64_t* count) {
+    if (count != nullptr) *count = rows;
+    if (dst == nullptr && capacity == 0) return false;
+    if (dst == nullptr) fail(Status::invalid_argument, "dst is null, capacity is not 0");
+    if (capacity < rows)
+        fail(Status::buffer_too_small, "capacity is %llu, %llu are needed",
+             static_cast<unsigned long long>(capacity), static_cast<unsigned long long>(rows));
+    return true;
+}
+
+}  // namespace
+
+void check_view(const mien_array_view& view, int columns, const char* name) {
+    const std::size_t size = view.dtype == MIEN_DTYPE_F64 ? 8 : view.dtype == MIEN_DTYPE_U8 ? 1 : 4;
+    if (view.dtype < MIEN_DTYPE_F32 || view.dtype > MIEN_DTYPE_U8)
+        fail(Status::invalid_argument, "%s.dtype is %d, which is unknown", name, view.dtype);
+    if (view.reserved != 0) fail(Status::unsupported_option, "%s.reserved is not zero", name);
+    if (view.count == 0) return;
+    if (view.data == nullptr) fail(Status::invalid_argument, "%s.data is null", name);
+    const std::uint64_t row = size * static_cast<std::uint64_t>(columns);
+    const std::uint64_t stride = view.stride_bytes != 0 ? view.stride_bytes : row;
+    if (reinterpret_cast<std::uintptr_t>(view.data) % size != 0 || stride % size != 0)
+        fail(Status::invalid_argument, "%s is not aligned to its %zu-byte values", name, size);
+    if (stride < row)
+        fail(Status::invalid_argument, "%s.stride_bytes is %llu, a row has %llu", name,
+             static_cast<unsigned long long>(stride), static_cast<unsigned long long>(row));
+    if (view.count > static_cast<std::uint64_t>(std::numeric_limits<std::ptrdiff_t>::max()) / stride ||
+        view.count > static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max()))
+        fail(Status::invalid_argument, "%s.count is %llu, more than can be addressed", name,
+             static_cast<unsigned long long>(view.count));
+}
+
+Points read_points(const mien_array_view& view, const char* name) {
+    check_view(view, 3, name);
+    Points points(static_cast<Index>(view.count), 3);
+    read_any(view, 3, name, points.data());
+    return points;
+}
+
+Vector read_values(const mien_array_view& view, const char* name) {
+    check_view(view, 1, name);
+    Vector values(static_cast<Index>(view.count));
+    read_any(view, 1, name, values.data());
+    return values;
+}
+
+void copy_rows(const void* source, std::uint64_t rows, std::size_t row_bytes, void* dst,
+               std::uint64_t capacity, std::uint64_t* count) {
+    if (!wants_copy(rows, dst, capacity, count) || rows == 0) return;
+    std::memcpy(dst, source, static_cast<std::size_t>(rows) * row_bytes);
+}
+
+void copy_doubles(const double* source, std::uint64_t rows, std::uint64_t columns, mien_dtype dtype,
+                  void* dst, std::uint64_t capacity, std::uint64_t* count) {
+    if (dtype != MIEN_DTYPE_F32 && dtype != MIEN_DTYPE_F64)
+        fail(Status::invalid_argument, "dtype is %d, must be MIEN_DTYPE_F32 or MIEN_DTYPE_F64", dtype);
+    if (!wants_copy(rows, dst, capacity, count)) return;
+    const std::uint64_t values = rows * columns;
+    if (dtype == MIEN_DTYPE_F64) {
+        if (values != 0) std::memcpy(dst, source, static_cast<std::size_t>(values) * sizeof(double));
+        return;
+    }
+    auto* out = static_cast<float*>(dst);
+    for (std::uint64_t i = 0; i < values; ++i) out[i] = static_cast<float>(source[i]);
+}
+
+void copy_text(const char* source, std::size_t length, char* dst, std::uint64_t capacity,
+               std::uint64_t* count) {
+    if (!wants_copy(length + 1, dst, capacity, count)) return;
+    std::memcpy(dst, source, length);
+    dst[length] = '\0';
+}
+
+}  // namespace mien::abi

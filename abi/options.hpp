@@ -1,0 +1,47 @@
+// The options-struct protocol: a field exists iff the caller's struct_size covers it whole; a struct
+// that is longer than known is accepted only with a zero tail.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+
+#include "base/error.hpp"
+
+namespace mien::abi {
+
+/// For the init functions: `defaults` within the caller's size, zeroes beyond what is known.
+template <typename Options>
+void write_defaults(Options* options, std::size_t struct_size, Options defaults) noexcept {
+    if (options == nullptr || struct_size < sizeof(std::uint32_t)) return;
+    defaults.struct_size = static_cast<std::uint32_t>(struct_size);
+    std::memset(static_cast<void*>(options), 0, struct_size);
+    std::memcpy(static_cast<void*>(options), &defaults, std::min(struct_size, sizeof defaults));
+}
+
+/// The caller's options over the defaults; null gives the defaults. minimum_size is the size of the
+/// struct's first release, a frozen number.
+template <typename Options>
+Options read_options(const Options* options, const Options& defaults, std::size_t minimum_size,
+                     const char* name) {
+    if (options == nullptr) return defaults;
+    if (reinterpret_cast<std::uintptr_t>(options) % alignof(Options) != 0)
+        fail(Status::invalid_argument, "%s is misaligned", name);
+    const std::size_t size = options->struct_size;
+    if (size < minimum_size)
+        fail(Status::invalid_argument, "%s.struct_size is %zu, below %zu: call its _init function",
+             name, size, minimum_size);
+    if (size > 4096)
+        fail(Status::unsupported_option, "%s.struct_size is %zu: call its _init function", name, size);
+    const auto* bytes = reinterpret_cast<const unsigned char*>(options);
+    for (std::size_t i = sizeof(Options); i < size; ++i)
+        if (bytes[i] != 0)
+            fail(Status::unsupported_option,
+                 "%s sets an option at byte %zu that this library (%s) does not know", name, i,
+                 MIEN_VERSION_STRING);
+    Options merged = defaults;
+    std::memcpy(static_cast<void*>(&merged), options, std::min(size, sizeof(Options)));
+    return merged;
+}
+
+}  // namespace mien::abi

@@ -1,0 +1,141 @@
+#include "session.hpp"
+
+#include "base/dense.hpp"
+#include "guard.hpp"
+#include "options.hpp"
+
+using namespace mien;
+using namespace mien::abi;
+
+namespace mien::abi {
+
+Call::Call(mien_session* session, mien_progress_fn progress, void* progress_user,
+           mien_cancel* cancel)
+    : session_(checked(session, "session")),
+      progress_(progress),
+      progress_user_(progress_user),
+      cancel_(cancel == nullptr ? nullptr : &checked(cancel, "cancel")) {
+    retain(cancel_);
+    context_.pool = session_.pool.get();
+    context_.max_bytes = session_.max_bytes;
+    if (cancel_ != nullptr) context_.cancel = &cancel_->token;
+    if (progress_ != nullptr) {
+        context_.progress_function = &Call::forward_progress;
+        context_.progress_user = this;
+    }
+    if (session_.log != nullptr) {
+        context_.log_function = &Call::forward_log;
+        context_.log_user = this;
+    }
+}
+
+Call::~Call() { release(cancel_); }
+
+std::int32_t Call::forward_progress(void* call, std::int32_t stage, double fraction) {
+    const auto* self = static_cast<const Call*>(call);
+    try {
+        return self->progress_(self->progress_user_, stage, fraction);
+    } catch (...) {
+        fail(Status::callback, "the progress callback threw an exception; callbacks must not unwind");
+    }
+}
+
+void Call::forward_log(void* call, std::int32_t level, const char* message) {
+    const auto* self = static_cast<const Call*>(call);
+    try {
+        self->session_.log(self->session_.log_user, level, message);
+    } catch (...) {
+        fail(Status::callback, "the log callback threw an exception; callbacks must not unwind");
+    }
+}
+
+const char* checked_text(const char* text, const char* parameter) {
+    if (text == nullptr) fail(Status::invalid_argument, "%s is null", parameter);
+    return text;
+}
+
+namespace {
+
+constexpr std::int32_t kMaxThreads = 256;
+
+mien_session_options default_options() {
+    mien_session_options options{};
+    options.struct_size = sizeof options;
+    options.num_threads = 1;
+    return options;
+}
+
+mien_session* create_session(std::uint32_t abi_version, const mien_session_options* options) {
+    if (abi_version != MIEN_ABI_VERSION)
+        fail(Status::unsupported_version,
+             "the program was built for Mien's ABI %u, this library (%s) offers %u", abi_version,
+             MIEN_VERSION_STRING, MIEN_ABI_VERSION);
+    const mien_session_options given = read_options(options, default_options(), 40, "options");
+    if (given.num_threads < 1 || given.num_threads > kMaxThreads)
+        fail(Status::invalid_argument, "options.num_threads is %d, allowed are 1 to %d",
+             given.num_threads, kMaxThreads);
+    auto session = std::make_unique<mien_session>();
+    session->max_bytes = static_cast<std::size_t>(given.max_bytes);
+    session->log = given.log;
+    session->log_user = given.log_user;
+    if (given.num_threads > 1) {
+        try {
+            session->pool = std::make_unique<ThreadPool>(given.num_threads);
+        } catch (const std::system_error&) {
+            fail(Status::no_memory, "cannot start %d threads; ask for fewer", given.num_threads - 1);
+        }
+    }
+    return session.release();
+}
+
+}  // namespace
+}  // namespace mien::abi
+
+extern "C" {
+
+void MIEN_CALL mien_session_options_init(mien_session_options* options, size_t struct_size) {
+    write_defaults(options, struct_size, default_options());
+}
+
+mien_status MIEN_CALL mien_session_create(uint32_t abi_version, mien_session** out,
+                                          mien_error* error) {
+    return guarded_create(out, error, [&] { return create_session(abi_version, nullptr); });
+}
+
+mien_status MIEN_CALL mien_session_create_with_options(uint32_t abi_version,
+                                                       const mien_session_options* options,
+                                                       mien_session** out, mien_error* error) {
+    return guarded_create(out, error, [&] { return create_session(abi_version, options); });
+}
+
+void MIEN_CALL mien_session_release(mien_session* session) { release(session); }
+
+mien_status MIEN_CALL mien_cancel_create(mien_cancel** out, mien_error* error) {
+    return guarded_create(out, error, [] { return new mien_cancel; });
+}
+
+void MIEN_CALL mien_cancel_request(mien_cancel* cancel) {
+    if (is_live(cancel)) cancel->token.request();
+}
+
+void MIEN_CALL mien_cancel_release(mien_cancel* cancel) { release(cancel); }
+
+uint32_t MIEN_CALL mien_version_number(void) {
+    return MIEN_VERSION_MAJOR * 1000000u + MIEN_VERSION_MINOR * 1000u + MIEN_VERSION_PATCH;
+}
+
+const char* MIEN_CALL mien_version_string(void) { return MIEN_VERSION_STRING; }
+
+const char* MIEN_CALL mien_build_id(void) {
+#if defined(__clang__)
+#define MIEN_COMPILER "clang " __clang_version__
+#elif defined(__GNUC__)
+#define MIEN_COMPILER "gcc " __VERSION__
+#else
+#define MIEN_COMPILER "unknown compiler"
+#endif
+    return dense::uses_avx2() ? "mien " MIEN_VERSION_STRING " " MIEN_COMPILER " avx2"
+                              : "mien " MIEN_VERSION_STRING " " MIEN_COMPILER " portable";
+}
+
+}  // extern "C"

@@ -1,0 +1,14 @@
+/* Mien: registers 3D face scans, removes facial expressions, measures what changed.
+ *
+ * Lengths are millimetres, volumes millilitres, +x is the subject's left, +y up, +z out of the face.
+ * Every function that can fail returns a mien_status and fills an optional mien_error. */
+#ifndef MIEN_MIEN_H
+#define MIEN_MIEN_H
+
+#include "config.h"
+#include "dataset.h"
+#include "error.h"
+#include "mesh.h"
+#include "session.h"
+
+#endif

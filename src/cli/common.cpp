@@ -1,0 +1,133 @@
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include "commands.hpp"
+
+#if defined(_WIN32)
+#include <io.h>
+#else
+#include <unistd.h>
+#endif
+
+namespace mien::cli {
+namespace {
+
+bool stderr_is_terminal() {
+#if defined(_WIN32)
+    return _isatty(_fileno(stderr)) != 0;
+#else
+    return isatty(fileno(stderr)) != 0;
+#endif
+}
+
+const char* stage_name(int stage) {
+    switch (stage) {
+        case MIEN_STAGE_READING: return "reading";
+        case MIEN_STAGE_GEODESICS: return "geodesics";
+        case MIEN_STAGE_BASIS: return "basis";
+        case MIEN_STAGE_ALIGNMENT: return "alignment";
+        case MIEN_STAGE_FITTING: return "fitting";
+        case MIEN_STAGE_REFINING: return "refining";
+        case MIEN_STAGE_TRAINING: return "training";
+        case MIEN_STAGE_NEUTRALIZING: return "neutralizing";
+        case MIEN_STAGE_MEASURING: return "measuring";
+        case MIEN_STAGE_WRITING: return "writing";
+        default: return "working";
+    }
+}
+
+/// The object under `key`, or an error that shows what the file should hold.
+const nlohmann::json& section(const nlohmann::json& file, const std::string& path, const char* key,
+                              const char* shape) {
+    if (!file.is_object() || !file.contains(key) || !file[key].is_object())
+        throw std::runtime_error(path + ": expected {\"" + key + "\": " + shape + "}");
+    return file[key];
+}
+
+std::uint32_t as_vertex(const nlohmann::json& value, const std::string& path, const std::string& name) {
+    if (!value.is_number_unsigned() || value.get<std::uint64_t>() > 0xFFFFFFFFu)
+        throw std::runtime_error(path + ": '" + name + "' holds " + value.dump() +
+                                 ", which is not a vertex number");
+    return value.get<std::uint32_t>();
+}
+
+}  // namespace
+
+void add_common_options(CLI::App& command, Common& common, bool with_seed) {
+    command.add_option("--threads", common.num_threads, "threads to use; results do not depend on it")
+        ->check(CLI::Range(1, 256))
+        ->capture_default_str();
+    command.add_option("--json", common.json_path, "write a machine-readable report to this file");
+    if (with_seed) command.add_option("--seed", common.seed, "seed of all chance")->capture_default_str();
+}
+
+void write_report(const Common& common, const nlohmann::json& report) {
+    if (!common.json_path.empty()) write_json(common.json_path, report);
+}
+
+nlohmann::json read_json(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    if (!in) throw std::runtime_error(path + ": cannot be opened for reading");
+    try {
+        return nlohmann::json::parse(in);
+    } catch (const nlohmann::json::exception& failure) {
+        throw std::runtime_error(path + ": is not JSON (" + failure.what() + ")");
+    }
+}
+
+void write_file(const std::string& path, const std::string& content) {
+    std::ofstream out(path, std::ios::binary | std::ios::trunc);
+    out.write(content.data(), static_cast<std::streamsize>(content.size()));
+    out.close();
+    if (!out) throw std::runtime_error(path + ": cannot be written");
+}
+
+void write_json(const std::string& path, const nlohmann::json& value) {
+    write_file(path, value.dump(2) + "\n");
+}
+
+std::vector<NamedPoint> read_landmark_points(const std::string& path) {
+    const nlohmann::json file = read_json(path);
+    std::vector<NamedPoint> points;
+    for (const auto& [name, value] : section(file, path, "points", "{name: [x, y, z]}").items()) {
+        if (!value.is_array() || value.size() != 3 || !value[0].is_number() || !value[1].is_number() ||
+            !value[2].is_number())
+            throw std::runtime_error(path + ": landmark '" + name + "' is not [x, y, z]");
+        points.push_back({name, {value[0], value[1], value[2]}});
+    }
+    return points;
+}
+
+std::vector<std::pair<std::string, std::uint32_t>> read_landmark_vertices(const std::string& path) {
+    const nlohmann::json file = read_json(path);
+    std::vector<std::pair<std::string, std::uint32_t>> vertices;
+    for (const auto& [name, value] : section(file, path, "vertices", "{name: vertex}").items())
+        vertices.emplace_back(name, as_vertex(value, path, name));
+    return vertices;
+}
+
+std::vector<std::pair<std::string, std::vector<std::uint32_t>>> read_zones(const std::string& path) {
+    const nlohmann::json file = read_json(path);
+    std::vector<std::pair<std::string, std::vector<std::uint32_t>>> zones;
+    for (const auto& [name, list] : section(file, path, "zones", "{name: [vertex, ...]}").items()) {
+        if (!list.is_array()) throw std::runtime_error(path + ": zone '" + name + "' is not a list");
+        std::vector<std::uint32_t> vertices;
+        for (const nlohmann::json& value : list) vertices.push_back(as_vertex(value, path, name));
+        zones.emplace_back(name, std::move(vertices));
+    }
+    return zones;
+}
+
+Progress progress_bar() {
+    if (!stderr_is_terminal()) return {};
+    return [](int stage, double fraction) {
+        std::fprintf(stderr, "\r%-14s %3.0f%%", stage_name(stage), 100 * fraction);
+        if (fraction >= 1) std::fputs("\r                    \r", stderr);
+        std::fflush(stderr);
+        return true;
+    };
+}
+
+}  // namespace mien::cli
