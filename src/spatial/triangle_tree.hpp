@@ -1,0 +1,95 @@
+// A packed four-wide tree of boxes over the triangles of a surface, or over the points of a cloud:
+// closest point, first hit of a ray, number of crossings.
+//
+// The triangles are cut at box medians (widest axis of their centroids) into blocks of four, and the
+// blocks into fours again: a complete tree whose layout follows from the count alone. Boxes are
+// floats, rounded outwards; triangles stay double. Build O(F log F), 72 + 4 + 12 bytes a triangle.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "base/context.hpp"
+#include "base/types.hpp"
+
+namespace mien {
+
+/// A place on a surface: point = sum_k barycentric[k] * vertex(triangle, k). For a cloud of points
+/// `triangle` is the vertex and barycentric is (1, 0, 0).
+struct SurfaceHit {
+    static constexpr std::uint32_t kNone = 0xffffffffu;
+    std::uint32_t triangle = kNone;
+    Vector3 barycentric = Vector3(1, 0, 0);
+    Vector3 point = Vector3::Zero();
+    double squared_distance = std::numeric_limits<double>::infinity();
+
+    bool valid() const { return triangle != kNone; }
+    double distance() const { return std::sqrt(squared_distance); }
+};
+
+struct RayHit {
+    std::uint32_t triangle = SurfaceHit::kNone;
+    double t = std::numeric_limits<double>::infinity();  ///< in lengths of the direction
+    Vector3 barycentric = Vector3(1, 0, 0);
+    bool valid() const { return triangle != SurfaceHit::kNone; }
+};
+
+/// Immutable after construction, safe to share between threads. Keeps no reference to the mesh.
+class TriangleTree {
+  public:
+    TriangleTree() = default;
+    /// `triangles` may be empty: then every row of `vertices` is a primitive of its own. Indices and
+    /// coordinates must have passed check_mesh(). Triangles without area are kept as segments or points.
+    TriangleTree(const PointsRef& vertices, const TrianglesRef& triangles, const Context& context);
+
+    Index num_primitives() const { return static_cast<Index>(slot_of_.size()); }
+    bool is_point_cloud() const { return point_cloud_; }
+    Vector3 lower_corner() const { return centre_ + lower_; }
+    Vector3 upper_corner() const { return centre_ + upper_; }
+
+    /// Nearest place within max_distance (invalid hit when there is none). Of equally near ones the
+    /// lowest triangle index wins. `hint`, a triangle likely to be near, only shortens the search.
+    SurfaceHit closest(const Vector3& point,
+                       double max_distance = std::numeric_limits<double>::infinity(),
+                       std::uint32_t hint = SurfaceHit::kNone) const;
+
+    /// The same for every row of `points`. `hits` of the same length on entry serve as hints (a
+    /// previous round's answers); otherwise it is resized.
+    void closest(const PointsRef& points, double max_distance, std::vector<SurfaceHit>& hits,
+                 const Context& context) const;
+
+    /// First hit with 0 <= t <= max_t; both sides count. Never hits a cloud of points.
+    RayHit first_hit(const Vector3& origin, const Vector3& direction,
+                     double max_t = std::numeric_limits<double>::infinity()) const;
+    /// Number of triangles crossed at 0 <= t <= max_t.
+    Index count_crossings(const Vector3& origin, const Vector3& direction,
+                          double max_t = std::numeric_limits<double>::infinity()) const;
+
+  private:
+    static constexpr int kWidth = 4;
+    struct Node {  // boxes of the four children, coordinate by coordinate
+        float lower[3][kWidth], upper[3][kWidth];
+    };
+    struct Triangle {
+        double a[3], b[3], c[3];
+    };
+
+    void sort_primitives(const PointsRef& vertices, const TrianglesRef& triangles,
+                         const Context& context);
+    void build_boxes(const Context& context);
+    void test_block(std::uint32_t block, const Vector3& point, SurfaceHit& best) const;
+    void test_slot(std::uint32_t slot, const Vector3& point, SurfaceHit& best) const;
+    template <typename Visit>
+    void walk_ray(const Vector3& origin, const Vector3& direction, double& max_t,
+                  Visit&& visit) const;
+
+    bool point_cloud_ = false;
+    Vector3 centre_ = Vector3::Zero(), lower_ = Vector3::Zero(), upper_ = Vector3::Zero();
+    std::vector<Triangle> primitives_;      // in tree order, relative to centre_
+    std::vector<std::uint32_t> id_of_;      // slot -> triangle
+    std::vector<std::uint32_t> slot_of_;    // triangle -> slot
+    std::vector<Node> nodes_;               // level 0 (children are blocks) first
+    std::vector<std::uint32_t> level_begin_;  // first node of each level
+};
+
+}  // namespace mien

@@ -1,0 +1,196 @@
+#include "spatial/triangle_tree.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "base/error.hpp"
+#include "base/thread_pool.hpp"
+#include "spatial/triangle_distance.hpp"
+
+namespace mien {
+namespace {
+
+struct Surface {
+    Points vertices;
+    Triangles triangles;
+};
+
+// A wavy sheet, size x size quads, each cut into two triangles.
+Surface sheet(Index size, double shift = 0) {
+    Surface s;
+    s.vertices.resize((size + 1) * (size + 1), 3);
+    s.triangles.resize(2 * size * size, 3);
+    for (Index i = 0; i <= size; ++i)
+        for (Index j = 0; j <= size; ++j)
+            s.vertices.row(i * (size + 1) + j) << i + shift, j, 4 * std::sin(0.3 * i) * std::cos(0.2 * j);
+    for (Index i = 0; i < size; ++i)
+        for (Index j = 0; j < size; ++j) {
+            const auto a = static_cast<std::uint32_t>(i * (size + 1) + j);
+            const auto b = a + static_cast<std::uint32_t>(size + 1);
+            s.triangles.row(2 * (i * size + j)) << a, b, b + 1;
+            s.triangles.row(2 * (i * size + j) + 1) << a, b + 1, a + 1;
+        }
+    return s;
+}
+
+SurfaceHit brute_force(const Surface& s, const Vector3& p) {
+    SurfaceHit best;
+    for (Index t = 0; t < s.triangles.rows(); ++t) {
+        const TrianglePlace place = closest_on_triangle(
+            p, s.vertices.row(s.triangles(t, 0)).transpose(),
+            s.vertices.row(s.triangles(t, 1)).transpose(),
+            s.vertices.row(s.triangles(t, 2)).transpose());
+        if (place.squared_distance < best.squared_distance) {
+            best.squared_distance = place.squared_distance;
+            best.triangle = static_cast<std::uint32_t>(t);
+        }
+    }
+    return best;
+}
+
+Points scattered(Index count, double spread, unsigned seed) {
+    std::mt19937 generator(seed);
+    Points p(count, 3);
+    for (Index i = 0; i < count; ++i)
+        for (int k = 0; k < 3; ++k)
+            p(i, k) = spread * (generator() / 4294967296.0 - 0.25);
+    return p;
+}
+
+TEST(TriangleTree, FindsWhatBruteForceFinds) {
+    for (Index size : {1, 2, 3, 7, 20}) {
+        const Surface s = sheet(size);
+        const TriangleTree tree(s.vertices, s.triangles, {});
+        const Points queries = scattered(300, 40, 3);
+        for (Index i = 0; i < queries.rows(); ++i) {
+            const Vector3 p = queries.row(i).transpose();
+            const SurfaceHit hit = tree.closest(p);
+            ASSERT_TRUE(hit.valid());
+            EXPECT_NEAR(hit.squared_distance, brute_force(s, p).squared_distance, 1e-9);
+            Vector3 from_barycentric = Vector3::Zero();
+            for (int k = 0; k < 3; ++k)
+                from_barycentric +=
+                    hit.barycentric[k] * s.vertices.row(s.triangles(hit.triangle, k)).transpose();
+            EXPECT_LT((from_barycentric - hit.point).norm(), 1e-9);
+            EXPECT_NEAR((hit.point - p).squaredNorm(), hit.squared_distance, 1e-9);
+        }
+    }
+}
+
+TEST(TriangleTree, FarAndFarOffCentreQueriesStayExact) {
+    const Surface s = sheet(15, 1e5);
+    const TriangleTree tree(s.vertices, s.triangles, {});
+    for (double far : {1e2, 1e4, 1e7}) {
+        const Vector3 p(1e5 + 3 + far, 7 - far, far);
+        EXPECT_NEAR(tree.closest(p).distance(), std::sqrt(brute_force(s, p).squared_distance),
+                    1e-9 * far);
+    }
+}
+
+TEST(TriangleTree, AnswersDoNotDependOnThreadsOrHints) {
+    const Surface s = sheet(60);
+    const Points queries = scattered(2000, 90, 5);
+    const TriangleTree tree(s.vertices, s.triangles, {});
+    std::vector<SurfaceHit> alone, together;
+    tree.closest(queries, 1e9, alone, {});
+    ThreadPool pool(3);
+    Context context;
+    context.pool = &pool;
+    const TriangleTree tree3(s.vertices, s.triangles, context);
+    tree3.closest(queries, 1e9, together, context);
+    std::vector<SurfaceHit> again(alone.rbegin(), alone.rend());  // useless hints
+    tree.closest(queries, 1e9, again, {});
+    for (std::size_t i = 0; i < alone.size(); ++i) {
+        EXPECT_EQ(alone[i].triangle, together[i].triangle);
+        EXPECT_EQ(alone[i].point, together[i].point);
+        EXPECT_EQ(alone[i].triangle, again[i].triangle);
+        EXPECT_EQ(alone[i].point, again[i].point);
+    }
+}
+
+TEST(TriangleTree, LowestIndexWinsTies) {
+    Surface s;
+    s.vertices.resize(3, 3);
+    s.vertices << 0, 0, 0, 1, 0, 0, 0, 1, 0;
+    s.triangles.resize(40, 3);
+    for (Index t = 0; t < 40; ++t) s.triangles.row(t) << 0, 1, 2;
+    const TriangleTree tree(s.vertices, s.triangles, {});
+    EXPECT_EQ(tree.closest(Vector3(0.2, 0.2, 1)).triangle, 0u);
+    EXPECT_EQ(tree.closest(Vector3(0.2, 0.2, 1), 10, 31).triangle, 0u);
+}
+
+TEST(TriangleTree, MaximalDistanceBoundsTheSearch) {
+    const Surface s = sheet(4);
+    const TriangleTree tree(s.vertices, s.triangles, {});
+    EXPECT_FALSE(tree.closest(Vector3(0, 0, 100), 50).valid());
+    EXPECT_TRUE(tree.closest(Vector3(0, 0, 100), 150).valid());
+}
+
+TEST(TriangleTree, DegenerateTrianglesAreSegmentsAndPoints) {
+    Surface s;
+    s.vertices.resize(4, 3);
+    s.vertices << 0, 0, 0, 2, 0, 0, 1, 0, 0, 5, 5, 5;
+    s.triangles.resize(2, 3);
+    s.triangles << 0, 1, 2, 3, 3, 3;
+    const TriangleTree tree(s.vertices, s.triangles, {});
+    const SurfaceHit on_segment = tree.closest(Vector3(1.5, 1, 0));
+    EXPECT_EQ(on_segment.triangle, 0u);
+    EXPECT_NEAR(on_segment.squared_distance, 1, 1e-12);
+    EXPECT_TRUE(on_segment.barycentric.allFinite());
+    EXPECT_EQ(tree.closest(Vector3(6, 5, 5)).triangle, 1u);
+}
+
+TEST(TriangleTree, ServesPointClouds) {
+    const Points cloud = scattered(777, 10, 9), queries = scattered(100, 12, 10);
+    const TriangleTree tree(cloud, Triangles(0, 3), {});
+    EXPECT_TRUE(tree.is_point_cloud());
+    for (Index i = 0; i < queries.rows(); ++i) {
+        Index nearest;
+        const double d =
+            (cloud.rowwise() - queries.row(i)).rowwise().squaredNorm().minCoeff(&nearest);
+        const SurfaceHit hit = tree.closest(queries.row(i).transpose());
+        EXPECT_EQ(static_cast<Index>(hit.triangle), nearest);
+        EXPECT_NEAR(hit.squared_distance, d, 1e-12);
+    }
+}
+
+TEST(TriangleTree, RaysHitTheNearestTriangleAndCountAllCrossings) {
+    Surface s = sheet(12);
+    const Index count = s.triangles.rows();
+    const Index vertices = s.vertices.rows();
+    s.vertices.conservativeResize(2 * vertices, 3);  // a second sheet 20 mm above
+    s.triangles.conservativeResize(2 * count, 3);
+    for (Index i = 0; i < vertices; ++i)
+        s.vertices.row(vertices + i) = s.vertices.row(i) + Eigen::RowVector3d(0, 0, 20);
+    for (Index t = 0; t < count; ++t)
+        s.triangles.row(count + t) = s.triangles.row(t).array() + static_cast<std::uint32_t>(vertices);
+    const TriangleTree tree(s.vertices, s.triangles, {});
+    const Points places = scattered(200, 10, 4);
+    for (Index i = 0; i < places.rows(); ++i) {
+        const double x = 1 + std::abs(places(i, 0)), y = 1 + std::abs(places(i, 1));
+        const RayHit hit = tree.first_hit(Vector3(x, y, 100), Vector3(0, 0, -2));
+        ASSERT_TRUE(hit.valid());
+        EXPECT_GE(static_cast<Index>(hit.triangle), count);
+        Vector3 place = Vector3::Zero();
+        for (int k = 0; k < 3; ++k)
+            place += hit.barycentric[k] * s.vertices.row(s.triangles(hit.triangle, k)).transpose();
+        EXPECT_LT((place - Vector3(x, y, 100 - 2 * hit.t)).norm(), 1e-9);
+        EXPECT_EQ(tree.count_crossings(Vector3(x, y, 100), Vector3(0, 0, -2)), 2);
+        EXPECT_EQ(tree.count_crossings(Vector3(x, y, 100), Vector3(0, 0, -2), 45), 1);
+    }
+    EXPECT_FALSE(tree.first_hit(Vector3(-5, -5, 100), Vector3(0, 0, -1)).valid());
+}
+
+TEST(TriangleTree, EmptyMeshIsATypedError) {
+    try {
+        TriangleTree tree(Points(0, 3), Triangles(0, 3), {});
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.status(), Status::invalid_mesh);
+    }
+}
+
+}  // namespace
+}  // namespace mien
