@@ -18,7 +18,8 @@ mien_mesh* make_mesh(TriMesh&& mesh) {
 mien_mesh* mesh_from_arrays(mien_session* session, const mien_mesh_arrays* host_arrays) {
     const Call call(session);
     if (host_arrays == nullptr) fail(Status::invalid_argument, "arrays is null");
-    const mien_mesh_arrays arrays = read_options(host_arrays, mien_mesh_arrays{}, 64, "arrays");
+    const mien_mesh_arrays arrays = read_options(
+        host_arrays, mien_mesh_arrays{}, MIEN_FIRST_SIZE(mien_mesh_arrays, colors), "arrays");
     if (arrays.reserved != 0) fail(Status::unsupported_option, "arrays.reserved is not zero");
     check_view(arrays.positions, 3, "positions");
     if (arrays.triangle_count > std::numeric_limits<std::int32_t>::max())

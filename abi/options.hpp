@@ -3,10 +3,15 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 
 #include "base/error.hpp"
+
+/// The size of an options struct's first release, by the last field that it had: frozen, and right for
+/// every pointer width.
+#define MIEN_FIRST_SIZE(Struct, last_field) (offsetof(Struct, last_field) + sizeof(Struct::last_field))
 
 namespace mien::abi {
 
@@ -19,8 +24,8 @@ void write_defaults(Options* options, std::size_t struct_size, Options defaults)
     std::memcpy(static_cast<void*>(options), &defaults, std::min(struct_size, sizeof defaults));
 }
 
-/// The caller's options over the defaults; null gives the defaults. minimum_size is the size of the
-/// struct's first release, a frozen number.
+/// The caller's options over the defaults; null gives the defaults. minimum_size is
+/// MIEN_FIRST_SIZE of the struct and never changes.
 template <typename Options>
 Options read_options(const Options* options, const Options& defaults, std::size_t minimum_size,
                      const char* name) {

@@ -70,7 +70,8 @@ mien_session* create_session(std::uint32_t abi_version, const mien_session_optio
         fail(Status::unsupported_version,
              "the program was built for Mien's ABI %u, this library (%s) offers %u", abi_version,
              MIEN_VERSION_STRING, MIEN_ABI_VERSION);
-    const mien_session_options given = read_options(options, default_options(), 40, "options");
+    const mien_session_options given = read_options(
+        options, default_options(), MIEN_FIRST_SIZE(mien_session_options, log_user), "options");
     if (given.num_threads < 1 || given.num_threads > kMaxThreads)
         fail(Status::invalid_argument, "options.num_threads is %d, allowed are 1 to %d",
              given.num_threads, kMaxThreads);

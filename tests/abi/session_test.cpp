@@ -53,7 +53,7 @@ TEST(Session, OptionsMayBeShortExactOrLongerWithAZeroTail) {
     longer.tail = 1;
     EXPECT_EQ(MIEN_E_UNSUPPORTED_OPTION,
               mien_session_create_with_options(MIEN_ABI_VERSION, &longer.known, &session, nullptr));
-    longer.known.struct_size = 39;
+    longer.known.struct_size = sizeof(mien_session_options) - 1;
     EXPECT_EQ(MIEN_E_INVALID_ARGUMENT,
               mien_session_create_with_options(MIEN_ABI_VERSION, &longer.known, &session, nullptr));
 }
