@@ -14,9 +14,9 @@ double millimetres_per(const std::string& units) {
     static const struct {
         const char* name;
         double mm;
-    } kUnits[] = {{"mm", 1.0},    {"millimetres", 1.0},    {"millimeters", 1.0},
-                  {"cm", 10.0},   {"centimetres", 10.0},   {"centimeters", 10.0},
-                  {"m", 1000.0},  {"metres", 1000.0},      {"meters", 1000.0}};
+    } kUnits[] = {{"mm", 1.0},   {"millimetres", 1.0},  {"millimeters", 1.0},
+                  {"cm", 10.0},  {"centimetres", 10.0}, {"centimeters", 10.0},
+                  {"m", 1000.0}, {"metres", 1000.0},    {"meters", 1000.0}};
     for (const auto& unit : kUnits)
         if (units == unit.name) return unit.mm;
     fail(Status::bad_format, "the dataset's units '%s' are unknown; use mm, cm or m",
@@ -36,9 +36,9 @@ FaceDataset FaceDataset::open(const std::string& path, const SafetensorsReadOpti
     const SafetensorsFile file = SafetensorsFile::open(path, options, context);
     try {
         FaceDataset set;
-        const DType dtype = file.has("vertices") && file.tensors().at("vertices").dtype == DType::f64
-                                ? DType::f64
-                                : DType::f32;
+        const DType dtype =
+            file.has("vertices") && file.tensors().at("vertices").dtype == DType::f64 ? DType::f64
+                                                                                      : DType::f32;
         set.vertices_ = file.tensor("vertices", dtype, {-1, -1, 3});
         constexpr std::uint64_t kMost = std::numeric_limits<std::int32_t>::max();
         if (set.vertices_.count == 0)
@@ -49,9 +49,9 @@ FaceDataset FaceDataset::open(const std::string& path, const SafetensorsReadOpti
         set.num_vertices_ = static_cast<Index>(set.vertices_.shape[1]);
 
         const TensorView& triangles = file.tensor("triangles", DType::u32, {-1, 3});
-        set.triangles_ = Eigen::Map<const Triangles>(
-            static_cast<const std::uint32_t*>(triangles.data),
-            static_cast<Index>(triangles.shape[0]), 3);
+        set.triangles_ =
+            Eigen::Map<const Triangles>(static_cast<const std::uint32_t*>(triangles.data),
+                                        static_cast<Index>(triangles.shape[0]), 3);
         for (Index t = 0; t < set.triangles_.rows(); ++t)
             for (int k = 0; k < 3; ++k)
                 if (set.triangles_(t, k) >= static_cast<std::uint64_t>(set.num_vertices_))
@@ -91,8 +91,8 @@ void FaceDataset::face(Index k, Points& out) const {
     if (k < 0 || k >= num_faces_)
         fail(Status::invalid_argument, "face %lld of a dataset of %lld faces",
              static_cast<long long>(k), static_cast<long long>(num_faces_));
-    const std::size_t offset = static_cast<std::size_t>(k) * 3 *
-                               static_cast<std::size_t>(num_vertices_);
+    const std::size_t offset =
+        static_cast<std::size_t>(k) * 3 * static_cast<std::size_t>(num_vertices_);
     if (vertices_.dtype == DType::f64) {
         out = Eigen::Map<const Points>(static_cast<const double*>(vertices_.data) + offset,
                                        num_vertices_, 3);
@@ -124,8 +124,7 @@ void FaceDatasetWriter::add(const PointsRef& vertices_mm, int subject, int expre
     if (vertices_mm.rows() != num_vertices_)
         fail(Status::mismatch, "the face has %lld vertices, the dataset %lld",
              static_cast<long long>(vertices_mm.rows()), static_cast<long long>(num_vertices_));
-    if (subject < 0)
-        fail(Status::invalid_argument, "subject %d: numbers begin at zero", subject);
+    if (subject < 0) fail(Status::invalid_argument, "subject %d: numbers begin at zero", subject);
     if (expression < 0 || static_cast<std::size_t>(expression) >= expression_names_.size())
         fail(Status::invalid_argument, "expression %d of %zu names", expression,
              expression_names_.size());
@@ -146,12 +145,16 @@ void FaceDatasetWriter::save(const std::string& path, const Context& context) co
     if (subject_.empty()) fail(Status::invalid_argument, "the dataset has no face yet");
     const std::uint64_t faces = subject_.size();
     write_safetensors(path,
-                      {{"vertices", DType::f32,
-                        {faces, static_cast<std::uint64_t>(num_vertices_), 3}, vertices_.data()},
+                      {{"vertices",
+                        DType::f32,
+                        {faces, static_cast<std::uint64_t>(num_vertices_), 3},
+                        vertices_.data()},
                        {"subject", DType::i32, {faces}, subject_.data()},
                        {"expression", DType::i32, {faces}, expression_.data()},
-                       {"triangles", DType::u32,
-                        {static_cast<std::uint64_t>(triangles_.rows()), 3}, triangles_.data()}},
+                       {"triangles",
+                        DType::u32,
+                        {static_cast<std::uint64_t>(triangles_.rows()), 3},
+                        triangles_.data()}},
                       {{"kind", "mien-face-dataset"},
                        {"format", "1.0"},
                        {"units", "millimetres"},

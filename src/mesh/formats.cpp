@@ -1,6 +1,7 @@
 #include "mesh/formats.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -57,6 +58,21 @@ Colors colors_from_numbers(const std::vector<float>& rgb) {
         colors.data()[i] = static_cast<std::uint8_t>(value + 0.5f);
     }
     return colors;
+}
+
+void append_number(std::string& out, double value, int digits) {
+    char text[32];
+    const auto result =
+        std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits);
+    out += ' ';
+    out.append(text, result.ptr);
+}
+
+void append_number(std::string& out, std::uint64_t value) {
+    char text[24];
+    const auto result = std::to_chars(text, text + sizeof text, value);
+    out += ' ';
+    out.append(text, result.ptr);
 }
 
 void check_float_range(const TriMesh& mesh) {

@@ -1,8 +1,9 @@
-// Between mesh_file.cpp and the formats: each reader gets the whole file's bytes, each writer a file
-// that is committed by its caller. Readers throw without the path; mesh_file.cpp adds it.
+// Between mesh_file.cpp and the formats: each reader gets the whole file's bytes, each writer a
+// file that is committed by its caller. Readers throw without the path; mesh_file.cpp adds it.
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "base/context.hpp"
@@ -42,6 +43,10 @@ class PolygonSink {
 
 /// Colours as numbers in 0..1 or 0..255 (decided by the largest of them) to bytes.
 Colors colors_from_numbers(const std::vector<float>& rgb);
+
+/// Appends a blank and the number, with so many significant digits.
+void append_number(std::string& out, double value, int digits = 9);
+void append_number(std::string& out, std::uint64_t value);
 
 /// Checks that a coordinate survives as float32.
 void check_float_range(const TriMesh& mesh);

@@ -16,7 +16,9 @@ struct Format {
 };
 
 constexpr Format kFormats[] = {
-    {"ply", formats::read_ply, formats::write_ply},
+    {"ply", formats::read_ply, formats::write_ply},  {"obj", formats::read_obj, formats::write_obj},
+    {"stl", formats::read_stl, formats::write_stl},  {"off", formats::read_off, formats::write_off},
+    {"coff", formats::read_off, formats::write_off},
 };
 
 const Format& format_of(const std::string& path) {

@@ -17,8 +17,9 @@ std::vector<std::string> split_line(TextCursor& text) {
         std::size_t size = 0;
         text.word(begin, size);
         // A control character: this is no text.
-        if (size == 0) fail(Status::bad_format, "not a PLY file: line %lld of its header is no text",
-                            static_cast<long long>(text.line()));
+        if (size == 0)
+            fail(Status::bad_format, "not a PLY file: line %lld of its header is no text",
+                 static_cast<long long>(text.line()));
         words.emplace_back(begin, size);
         // Only comments are longer than this, and nobody reads them.
         if (words.size() > 8) break;

@@ -25,14 +25,22 @@ class BinaryValues {
         at_ += bytes;
         if (big_endian_) std::reverse(raw, raw + bytes);
         switch (type) {
-            case PlyType::i8: return as<std::int8_t>(raw);
-            case PlyType::u8: return as<std::uint8_t>(raw);
-            case PlyType::i16: return as<std::int16_t>(raw);
-            case PlyType::u16: return as<std::uint16_t>(raw);
-            case PlyType::i32: return as<std::int32_t>(raw);
-            case PlyType::u32: return as<std::uint32_t>(raw);
-            case PlyType::f32: return static_cast<double>(as<float>(raw));
-            case PlyType::f64: return as<double>(raw);
+            case PlyType::i8:
+                return as<std::int8_t>(raw);
+            case PlyType::u8:
+                return as<std::uint8_t>(raw);
+            case PlyType::i16:
+                return as<std::int16_t>(raw);
+            case PlyType::u16:
+                return as<std::uint16_t>(raw);
+            case PlyType::i32:
+                return as<std::int32_t>(raw);
+            case PlyType::u32:
+                return as<std::uint32_t>(raw);
+            case PlyType::f32:
+                return static_cast<double>(as<float>(raw));
+            case PlyType::f64:
+                return as<double>(raw);
         }
         return 0.0;
     }
@@ -246,8 +254,8 @@ class PlyReader {
                         static_cast<float>(value);
                 } else if (role <= blue) {
                     const double byte = property.type == PlyType::u16 ? value / 257.0 : value;
-                    mesh_.colors(row, role - red) = static_cast<std::uint8_t>(
-                        byte >= 0.0 ? std::min(byte + 0.5, 255.0) : 0.0);
+                    mesh_.colors(row, role - red) =
+                        static_cast<std::uint8_t>(byte >= 0.0 ? std::min(byte + 0.5, 255.0) : 0.0);
                 } else {
                     vertex_texture_[2 * i + static_cast<std::size_t>(role - u)] =
                         std::isfinite(value) ? static_cast<float>(value) : 0.0f;

@@ -31,8 +31,7 @@ void write_ply(AtomicFile& file, const TriMesh& mesh, const Context& context) {
     out += "end_header\n";
     for (Index v = 0; v < mesh.vertices.rows(); ++v) {
         for (int k = 0; k < 3; ++k) put(out, static_cast<float>(mesh.vertices(v, k)));
-        if (colors)
-            out.append(reinterpret_cast<const char*>(mesh.colors.data() + 3 * v), 3);
+        if (colors) out.append(reinterpret_cast<const char*>(mesh.colors.data() + 3 * v), 3);
         if (out.size() > kCancelInterval) {
             context.check_cancelled();
             file.write(out);

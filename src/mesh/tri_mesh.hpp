@@ -10,11 +10,11 @@
 namespace mien {
 
 struct TriMesh {
-    Points vertices;                    ///< #V x 3, mm
-    Triangles triangles;                ///< #F x 3; may be empty (a point cloud)
-    Colors colors;                      ///< #V x 3 or empty
-    TextureCoordinates texture;         ///< #T x 2 or empty
-    Triangles texture_triangles;        ///< #F x 3 indices into `texture`, or empty
+    Points vertices;              ///< #V x 3, mm
+    Triangles triangles;          ///< #F x 3; may be empty (a point cloud)
+    Colors colors;                ///< #V x 3 or empty
+    TextureCoordinates texture;   ///< #T x 2 or empty
+    Triangles texture_triangles;  ///< #F x 3 indices into `texture`, or empty
 };
 
 /// Named vertex of a template.

@@ -1,0 +1,156 @@
+// STL, binary and ASCII. The size decides first: many binary files begin with "solid" too. Corners
+// with equal coordinates become one vertex; normals are recomputed where they are needed.
+#include <cmath>
+#include <cstring>
+
+#include "mesh/formats.hpp"
+#include "mesh/text_cursor.hpp"
+#include "mesh/weld.hpp"
+
+namespace mien::formats {
+namespace {
+
+constexpr std::size_t kHeaderBytes = 84, kTriangleBytes = 50;
+
+TriMesh weld_corners(const Points& corners, const Context& context) {
+    const WeldedPoints welded = weld_points(corners, context);
+    TriMesh mesh;
+    mesh.vertices.resize(static_cast<Index>(welded.first_point.size()), 3);
+    for (std::size_t v = 0; v < welded.first_point.size(); ++v)
+        mesh.vertices.row(static_cast<Index>(v)) =
+            corners.row(static_cast<Index>(welded.first_point[v]));
+    mesh.triangles = Eigen::Map<const Triangles>(welded.class_of.data(), corners.rows() / 3, 3);
+    return mesh;
+}
+
+TriMesh read_binary(const FileBytes& bytes, std::uint32_t count, const Context& context) {
+    if (count > (bytes.size - kHeaderBytes) / kTriangleBytes)
+        fail(Status::bad_format, "the STL file promises %lu triangles, its %zu bytes hold %zu",
+             static_cast<unsigned long>(count), bytes.size,
+             (bytes.size - kHeaderBytes) / kTriangleBytes);
+    context.require_memory(std::size_t(count) * 72, "an STL file's corners");
+    Points corners(3 * static_cast<Index>(count), 3);
+    for (std::size_t t = 0; t < count; ++t) {
+        if (t % kCancelInterval == 0)
+            context.progress(Stage::reading, static_cast<double>(t) / count);
+        float values[9];
+        std::memcpy(values, bytes.data + kHeaderBytes + kTriangleBytes * t + 12, sizeof values);
+        for (int k = 0; k < 9; ++k)
+            corners.data()[9 * t + static_cast<std::size_t>(k)] = static_cast<double>(values[k]);
+    }
+    return weld_corners(corners, context);
+}
+
+/// Only "vertex x y z" and "endloop" carry meaning; the words around them are stepped over.
+TriMesh read_ascii(const FileBytes& bytes, const Context& context) {
+    TextCursor text(bytes.data, bytes.data + bytes.size);
+    std::vector<double> corners, loop;
+    auto is = [](const char* word, std::size_t size, const char* expected) {
+        if (size != std::strlen(expected)) return false;
+        for (std::size_t k = 0; k < size; ++k)
+            if ((word[k] | 0x20) != expected[k]) return false;
+        return true;
+    };
+    auto fail_line = [&](const char* what) {
+        fail_at(Status::bad_format, text.line(), "line %lld: %s",
+                static_cast<long long>(text.line()), what);
+    };
+    bool complete = false, in_loop = false;
+    std::size_t words = 0;
+    text.skip_line();  // "solid" and a name of any words
+    for (;;) {
+        if (words++ % kCancelInterval == 0) context.check_cancelled();
+        text.skip_space();
+        if (text.at_end()) break;
+        const char* word = nullptr;
+        std::size_t size = 0;
+        text.word(word, size);
+        if (size == 0) fail_line("a control character in an ASCII STL file");
+        if (is(word, size, "vertex")) {
+            if (!in_loop) fail_line("a vertex outside of a loop");
+            for (int k = 0; k < 3; ++k) {
+                double value = 0.0;
+                text.skip_space();
+                if (!text.number(value)) fail_line("a vertex needs three numbers");
+                loop.push_back(value);
+            }
+        } else if (is(word, size, "loop")) {
+            in_loop = true;
+            loop.clear();
+        } else if (is(word, size, "endloop")) {
+            if (!in_loop || loop.size() < 9) fail_line("a loop of fewer than three vertices");
+            for (std::size_t k = 6; k < loop.size(); k += 3)
+                for (std::size_t corner : {std::size_t(0), k - 3, k})
+                    corners.insert(corners.end(),
+                                   loop.begin() + static_cast<std::ptrdiff_t>(corner),
+                                   loop.begin() + static_cast<std::ptrdiff_t>(corner + 3));
+            in_loop = false;
+        } else if (is(word, size, "endsolid") || is(word, size, "solid")) {
+            complete = is(word, size, "endsolid");
+            text.skip_line();
+        } else if (is(word, size, "facet") || is(word, size, "normal") || is(word, size, "outer") ||
+                   is(word, size, "endfacet")) {
+            // Structure without information.
+        } else if (in_loop || !((*word >= '0' && *word <= '9') || *word == '-' || *word == '+' ||
+                                *word == '.' || is(word, size, "nan") || is(word, size, "inf"))) {
+            fail_line("an unknown word in an ASCII STL file");
+        }
+    }
+    if (!complete || in_loop) fail_line("the file ends before 'endsolid'");
+    return weld_corners(
+        Eigen::Map<const Points>(corners.data(), static_cast<Index>(corners.size() / 3), 3),
+        context);
+}
+
+}  // namespace
+
+TriMesh read_stl(const FileBytes& bytes, const Context& context) {
+    std::uint32_t count = 0;
+    if (bytes.size >= kHeaderBytes) std::memcpy(&count, bytes.data + 80, 4);
+    const bool exact = bytes.size >= kHeaderBytes &&
+                       (bytes.size - kHeaderBytes) == std::uint64_t(count) * kTriangleBytes;
+    const std::size_t looked_at = bytes.size < 1024 ? bytes.size : std::size_t(1024);
+    const bool text = bytes.size >= 5 && std::memcmp(bytes.data, "solid", 5) == 0 &&
+                      std::memchr(bytes.data, '\0', looked_at) == nullptr;
+    if (!exact && text) return read_ascii(bytes, context);
+    if (bytes.size < kHeaderBytes)
+        fail(Status::bad_format, "not an STL file: no 'solid', and %zu bytes are no header",
+             bytes.size);
+    return read_binary(bytes, count, context);
+}
+
+void write_stl(AtomicFile& file, const TriMesh& mesh, const Context& context) {
+    check_float_range(mesh);
+    if (mesh.triangles.rows() == 0)
+        fail(Status::invalid_mesh, "an STL file holds triangles, the mesh has none; use PLY");
+    if (static_cast<std::uint64_t>(mesh.triangles.rows()) > 0xffffffffu)
+        fail(Status::invalid_mesh, "an STL file holds at most 2^32 - 1 triangles; use PLY");
+    std::string out = "binary STL, millimetres";
+    out.resize(80, ' ');
+    const std::uint32_t count = static_cast<std::uint32_t>(mesh.triangles.rows());
+    out.append(reinterpret_cast<const char*>(&count), 4);
+    for (Index t = 0; t < mesh.triangles.rows(); ++t) {
+        Vector3 corners[3];
+        for (int k = 0; k < 3; ++k)
+            corners[k] = mesh.vertices.row(static_cast<Index>(mesh.triangles(t, k)));
+        Vector3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+        const double length = normal.norm();
+        normal = length > 0.0 && std::isfinite(length) ? Vector3(normal / length) : Vector3::Zero();
+        float values[12];
+        for (int axis = 0; axis < 3; ++axis) {
+            values[axis] = static_cast<float>(normal[axis]);
+            for (int k = 0; k < 3; ++k)
+                values[3 + 3 * k + axis] = static_cast<float>(corners[k][axis]);
+        }
+        out.append(reinterpret_cast<const char*>(values), sizeof values);
+        out.append(2, '\0');
+        if (out.size() > kCancelInterval) {
+            context.check_cancelled();
+            file.write(out);
+            out.clear();
+        }
+    }
+    file.write(out);
+}
+
+}  // namespace mien::formats

@@ -1,0 +1,67 @@
+#include "mesh/weld.hpp"
+
+#include <cstring>
+
+namespace mien {
+namespace {
+
+std::uint64_t mixed(std::uint64_t x) {
+    x ^= x >> 33;
+    x *= 0xff51afd7ed558ccdULL;
+    x ^= x >> 33;
+    x *= 0xc4ceb9fe1a85ec53ULL;
+    return x ^ (x >> 33);
+}
+
+std::uint64_t hash_of(const double* point) {
+    std::uint64_t hash = 0;
+    for (int k = 0; k < 3; ++k) {
+        const double value = point[k] + 0.0;  // -0 becomes 0
+        std::uint64_t bits;
+        std::memcpy(&bits, &value, sizeof bits);
+        hash = mixed(hash + bits + 0x9e3779b97f4a7c15ULL);
+    }
+    return hash;
+}
+
+}  // namespace
+
+WeldedPoints weld_points(const PointsRef& points, const Context& context) {
+    constexpr std::uint32_t kFree = 0xffffffffu;
+    const std::size_t count = static_cast<std::size_t>(points.rows());
+    std::size_t slots = 16;
+    while (slots < 2 * count) slots *= 2;
+    context.require_memory(8 * slots + 8 * count, "welding points");
+    // Slots hold part of the hash beside the class: most strangers are told apart without a look
+    // at their coordinates.
+    struct Slot {
+        std::uint32_t hash, number;
+    };
+    std::vector<Slot> table(slots, Slot{0, kFree});
+    WeldedPoints welded;
+    welded.class_of.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i % (1 << 16) == 0) context.check_cancelled();
+        const auto point = points.row(static_cast<Index>(i));
+        const std::uint64_t hash = hash_of(point.data());
+        const std::uint32_t check = static_cast<std::uint32_t>(hash >> 32);
+        std::size_t slot = static_cast<std::size_t>(hash) & (slots - 1);
+        for (;; slot = (slot + 1) & (slots - 1)) {
+            Slot& entry = table[slot];
+            if (entry.number == kFree) {
+                entry = Slot{check, static_cast<std::uint32_t>(welded.first_point.size())};
+                welded.first_point.push_back(static_cast<std::uint32_t>(i));
+                welded.class_of[i] = entry.number;
+                break;
+            }
+            if (entry.hash == check &&
+                points.row(static_cast<Index>(welded.first_point[entry.number])) == point) {
+                welded.class_of[i] = entry.number;
+                break;
+            }
+        }
+    }
+    return welded;
+}
+
+}  // namespace mien
