@@ -28,6 +28,9 @@ struct DeformationModel {
     Vector eigenvalues;         ///< r, lambda_j of the kernel operator, descending
     Points mean_displacement;   ///< #V x 3 or empty (zero)
     FloatMatrixView pca_modes;  ///< 3#V x p (x0 y0 z0 x1 ...), scaled by their deviations; p may be 0
+    /// r x 3 or empty (ones): a_j ~ N(0, diag(row j)). Only models built with a preference for
+    /// mirror symmetry have it; treating it as ones is still a valid, less informed prior.
+    Matrix prior_variance;
     std::vector<Landmark> landmarks;
     std::vector<Zone> zones;
     std::map<std::string, std::string> info;  ///< kernel, sigma_mm, scale_mm, seed, rank, ...
@@ -40,6 +43,8 @@ struct DeformationModel {
 /// safetensors, kind "mien-deformation-model", format 1. The basis stays in the mapped file.
 std::shared_ptr<const DeformationModel> load_deformation_model(
     const std::string& path, const SafetensorsReadOptions& options, const Context& context);
+/// The same from an opened file or a view of memory; what the model borrows stays alive with it.
+std::shared_ptr<const DeformationModel> read_deformation_model(const SafetensorsFile& file);
 void save_deformation_model(const std::string& path, const DeformationModel& model,
                             const Context& context);
 

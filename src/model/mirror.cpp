@@ -1,0 +1,128 @@
+#include "model/mirror.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "base/error.hpp"
+
+namespace mien {
+namespace {
+
+double mean_edge(const TriMesh& mesh) {
+    double sum = 0;
+    for (Index t = 0; t < mesh.triangles.rows(); ++t)
+        for (int k = 0; k < 3; ++k)
+            sum += (mesh.vertices.row(mesh.triangles(t, k)) -
+                    mesh.vertices.row(mesh.triangles(t, (k + 1) % 3)))
+                       .norm();
+    return sum / std::max<double>(1.0, 3.0 * static_cast<double>(mesh.triangles.rows()));
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> mirror_map(const TriMesh& mesh) {
+    const Index n = mesh.vertices.rows();
+    const double reach = mean_edge(mesh);
+    // Sorted along y: only vertices within reach of an image are looked at.
+    std::vector<std::uint32_t> by_y(static_cast<std::size_t>(n));
+    std::iota(by_y.begin(), by_y.end(), 0u);
+    std::sort(by_y.begin(), by_y.end(), [&](std::uint32_t a, std::uint32_t b) {
+        const double ya = mesh.vertices(a, 1), yb = mesh.vertices(b, 1);
+        return ya != yb ? ya < yb : a < b;
+    });
+    std::vector<std::uint32_t> mirror(static_cast<std::size_t>(n));
+    for (Index v = 0; v < n; ++v) {
+        const Eigen::RowVector3d image(-mesh.vertices(v, 0), mesh.vertices(v, 1),
+                                       mesh.vertices(v, 2));
+        auto at = std::lower_bound(by_y.begin(), by_y.end(), image[1] - reach,
+                                   [&](std::uint32_t a, double y) { return mesh.vertices(a, 1) < y; });
+        double best = reach * reach;
+        bool found = false;
+        for (; at != by_y.end() && mesh.vertices(*at, 1) <= image[1] + reach; ++at) {
+            const double squared = (mesh.vertices.row(*at) - image).squaredNorm();
+            if (squared < best || (squared == best && found && *at < mirror[static_cast<std::size_t>(v)])) {
+                best = squared;
+                mirror[static_cast<std::size_t>(v)] = *at;
+                found = true;
+            }
+        }
+        if (!found)
+            fail_at(Status::invalid_mesh, v,
+                    "the template is not symmetric about x = 0: no vertex within %.3g mm of the "
+                    "mirror image of vertex %lld; build without mirror symmetry",
+                    reach, static_cast<long long>(v));
+    }
+    for (std::size_t v = 0; v < mirror.size(); ++v)
+        if (mirror[mirror[v]] != v)
+            fail_at(Status::invalid_mesh, static_cast<std::int64_t>(v),
+                    "the template is not symmetric about x = 0: vertices %zu and %lld do not mirror "
+                    "each other; build without mirror symmetry",
+                    v, static_cast<long long>(mirror[v]));
+    return mirror;
+}
+
+LowRankBasis mirrored_basis(const Matrix& factor, const Vector& diagonal,
+                            const std::vector<std::uint32_t>& mirror, const RankOptions& options,
+                            const Context& context) {
+    // Each part is cut at the full rank first; the tolerance applies to both together.
+    RankOptions full = options;
+    full.tolerance = 0;
+    LowRankBasis parts[2];
+    for (int odd = 0; odd < 2; ++odd) {
+        Matrix half(factor.rows(), factor.cols());
+        for (Index v = 0; v < factor.rows(); ++v) {
+            const Index image = static_cast<Index>(mirror[static_cast<std::size_t>(v)]);
+            if (odd == 0)
+                half.row(v) = 0.5 * (factor.row(v) + factor.row(image));
+            else
+                half.row(v) = 0.5 * (factor.row(v) - factor.row(image));
+        }
+        if (half.cwiseAbs().maxCoeff() > 0)
+            parts[odd] = principal_basis(half, diagonal, full, context);
+    }
+    struct Column {
+        double value;
+        int part;
+        Index index;
+    };
+    std::vector<Column> columns;
+    for (int part = 0; part < 2; ++part)
+        for (Index j = 0; j < parts[part].eigenvalues.size(); ++j)
+            columns.push_back({parts[part].eigenvalues[j], part, j});
+    std::stable_sort(columns.begin(), columns.end(),
+                     [](const Column& a, const Column& b) { return a.value > b.value; });
+    const double total = diagonal.mean();
+    std::size_t rank = 0;
+    double explained = 0;
+    while (rank < columns.size() && static_cast<Index>(rank) < options.num_modes) {
+        explained += columns[rank++].value;
+        if (options.tolerance > 0 && explained >= (1 - options.tolerance) * total) break;
+    }
+    LowRankBasis merged;
+    merged.basis.resize(factor.rows(), static_cast<Index>(rank));
+    merged.eigenvalues.resize(static_cast<Index>(rank));
+    for (std::size_t j = 0; j < rank; ++j) {
+        merged.basis.col(static_cast<Index>(j)) = parts[columns[j].part].basis.col(columns[j].index);
+        merged.eigenvalues[static_cast<Index>(j)] = columns[j].value;
+        merged.parity.push_back(columns[j].part == 0 ? 1 : -1);
+    }
+    const Vector captured = merged.basis.cast<double>().rowwise().squaredNorm();
+    merged.report.rank = static_cast<Index>(rank);
+    merged.report.variance_explained = captured.sum() / diagonal.sum();
+    merged.report.max_variance_error =
+        (captured - diagonal).cwiseAbs().maxCoeff() / diagonal.maxCoeff();
+    return merged;
+}
+
+Matrix mirrored_prior_variance(const std::vector<std::int8_t>& parity, double correlation) {
+    Matrix variance(static_cast<Index>(parity.size()), 3);
+    for (std::size_t j = 0; j < parity.size(); ++j) {
+        const double odd_axis = parity[j] < 0 ? 1 + correlation : 1 - correlation;
+        const double even_axis = parity[j] > 0 ? 1 + correlation : 1 - correlation;
+        variance.row(static_cast<Index>(j)) << odd_axis, even_axis, even_axis;
+    }
+    return variance;
+}
+
+}  // namespace mien

@@ -1,0 +1,189 @@
+#include "model/model_builder.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "model/kernel_blocks.hpp"
+#include "model/mirror.hpp"
+
+namespace mien {
+namespace {
+
+constexpr Index kControlPoints = 1000;
+
+void check_names(const TriMesh& mesh, const std::vector<Landmark>& landmarks,
+                 const std::vector<Zone>& zones) {
+    const auto check = [&](std::uint32_t vertex, const char* what, const std::string& name) {
+        if (static_cast<Index>(vertex) >= mesh.vertices.rows())
+            fail_at(Status::invalid_argument, vertex,
+                    "%s \"%.60s\" names vertex %lld, the template has %lld vertices", what,
+                    name.c_str(), static_cast<long long>(vertex),
+                    static_cast<long long>(mesh.vertices.rows()));
+    };
+    for (const Landmark& landmark : landmarks) check(landmark.vertex, "landmark", landmark.name);
+    for (const Zone& zone : zones)
+        for (const std::uint32_t vertex : zone.vertices) check(vertex, "zone", zone.name);
+}
+
+Index scalar_modes(const ModelOptions& options, const TriMesh& mesh) {
+    if (options.num_modes < 3)
+        fail(Status::invalid_argument,
+             "%lld deformation modes; a model needs at least 3 (one per axis)",
+             static_cast<long long>(options.num_modes));
+    return std::min(options.num_modes / 3, mesh.vertices.rows());
+}
+
+void check_options(const ModelOptions& options, const TriMesh& mesh) {
+    check_kernels(options.kernels);
+    const Vector& scale = options.scale_per_vertex;
+    if (scale.size() != 0 && scale.size() != mesh.vertices.rows())
+        fail(Status::mismatch, "%lld vertex scales for a template of %lld vertices",
+             static_cast<long long>(scale.size()), static_cast<long long>(mesh.vertices.rows()));
+    for (Index v = 0; v < scale.size(); ++v)
+        if (!(scale[v] >= 0) || !std::isfinite(scale[v]))
+            fail_at(Status::invalid_argument, v, "the scale of vertex %lld is %g; give numbers >= 0",
+                    static_cast<long long>(v), scale[v]);
+    if (scale.size() != 0 && !(scale.maxCoeff() > 0))
+        fail(Status::invalid_argument, "every vertex scale is zero; nothing could move");
+    if (!(options.mirror_correlation >= 0 && options.mirror_correlation <= 1))
+        fail(Status::invalid_argument, "mirror correlation %g is outside 0 .. 1",
+             options.mirror_correlation);
+    if (options.num_control_points < 0)
+        fail(Status::invalid_argument, "a negative number of control points");
+}
+
+bool spectral_only(const std::vector<KernelTerm>& terms) {
+    return std::all_of(terms.begin(), terms.end(), [](const KernelTerm& term) {
+        return term.kind == KernelKind::surface_matern;
+    });
+}
+
+/// K = factor factor' for Matern terms: eigenvectors times deviations.
+Matrix spectral_factor(const KernelBlocks& blocks, const std::vector<KernelTerm>& terms) {
+    Vector variances = Vector::Zero(blocks.eigenpairs().values.size());
+    for (const KernelTerm& term : terms)
+        variances += matern_spectrum(blocks.eigenpairs().values, blocks.area_mm2(), term).variances;
+    return blocks.eigenpairs().vectors * variances.cwiseSqrt().asDiagonal();
+}
+
+/// k(x, x) including what the computed eigenpairs leave out, spread evenly over the surface.
+void add_spectral_tail(const KernelBlocks& blocks, const std::vector<KernelTerm>& terms,
+                       Vector& diagonal) {
+    for (const KernelTerm& term : terms)
+        if (term.kind == KernelKind::surface_matern)
+            diagonal.array() +=
+                matern_spectrum(blocks.eigenpairs().values, blocks.area_mm2(), term).tail *
+                term.scale_mm * term.scale_mm;
+}
+
+struct Storage {
+    Eigen::MatrixXf basis, pca_modes;
+};
+
+void describe(const ModelOptions& options, const LowRankReport& report, DeformationModel& model) {
+    std::string names, sigmas, scales, nus;
+    for (const KernelTerm& term : options.kernels) {
+        const char* comma = names.empty() ? "" : ",";
+        names += comma + std::string(kernel_name(term.kind));
+        sigmas += comma + info_number(term.sigma_mm);
+        scales += comma + info_number(term.scale_mm);
+        nus += comma + info_number(term.nu);
+    }
+    auto& info = model.info;
+    info["kernel"] = names;
+    info["sigma_mm"] = sigmas;
+    info["scale_mm"] = scales;
+    info["nu"] = nus;
+    info["scalar_modes"] = std::to_string(report.rank);
+    info["deformation_modes"] = std::to_string(3 * report.rank);
+    info["control_points"] = std::to_string(report.num_control_points);
+    info["variance_explained"] = info_number(report.variance_explained);
+    info["max_variance_error"] = info_number(report.max_variance_error);
+    info["negative_mass"] = info_number(report.negative_mass);
+    info["negative_eigenvalues"] = std::to_string(report.num_negative);
+    info["smallest_eigenvalue"] = info_number(report.smallest_eigenvalue);
+    info["mirror_symmetric"] = options.mirror_symmetric ? "1" : "0";
+    info["mirror_correlation"] = info_number(options.mirror_correlation);
+    info["scale_per_vertex"] = options.scale_per_vertex.size() != 0 ? "1" : "0";
+    info["heat_time_factor"] = info_number(options.heat.time_factor);
+    info["heat_boundary"] = std::to_string(static_cast<int>(options.heat.boundary));
+}
+
+}  // namespace
+
+std::string info_number(double value) {
+    char text[40];
+    const auto end = std::to_chars(text, text + sizeof text, value).ptr;
+    return std::string(text, end);
+}
+
+BuiltModel build_deformation_model(const TriMesh& template_mesh,
+                                   const std::vector<Landmark>& landmarks,
+                                   const std::vector<Zone>& zones, const ModelOptions& options,
+                                   const Context& context) {
+    check_mesh(template_mesh, "the template");
+    check_names(template_mesh, landmarks, zones);
+    check_options(options, template_mesh);
+    RankOptions rank;
+    rank.num_modes = scalar_modes(options, template_mesh);
+    rank.tolerance = options.tolerance;
+    const Index n = template_mesh.vertices.rows();
+    const Index wanted = options.num_control_points != 0
+                             ? options.num_control_points
+                             : std::max(kControlPoints, 3 * rank.num_modes);
+    const Index num_control = std::min(wanted, n);
+    context.require_memory(static_cast<std::size_t>(n) * static_cast<std::size_t>(num_control) * 20,
+                           "building a deformation model");
+
+    const bool spectral = spectral_only(options.kernels);
+    std::vector<std::uint32_t> control;
+    if (!spectral) control = farthest_points(template_mesh.vertices, template_mesh.triangles, num_control);
+    // A few more pairs than modes: the scale per vertex and the count of vertices reorder them.
+    const Index num_pairs = rank.num_modes + rank.num_modes / 4 + 1;
+    const KernelBlocks blocks(template_mesh, control, options.kernels, num_pairs, options.heat,
+                              context);
+    context.progress(Stage::basis, 0);
+    Vector diagonal = blocks.diagonal(options.kernels);
+    add_spectral_tail(blocks, options.kernels, diagonal);
+    LowRankReport report;
+    Matrix factor;
+    if (spectral) {
+        factor = spectral_factor(blocks, options.kernels);
+    } else {
+        blocks.evaluate(options.kernels, factor, context);
+        factor = nystrom_factor(factor, control, rank, report, context);
+    }
+    if (options.scale_per_vertex.size() != 0) {
+        factor = (options.scale_per_vertex.asDiagonal() * factor).eval();
+        diagonal.array() *= options.scale_per_vertex.array().square();
+    }
+
+    LowRankBasis low_rank;
+    auto model = std::make_shared<DeformationModel>();
+    if (options.mirror_symmetric) {
+        low_rank = mirrored_basis(factor, diagonal, mirror_map(template_mesh), rank, context);
+        model->prior_variance = mirrored_prior_variance(low_rank.parity, options.mirror_correlation);
+    } else {
+        low_rank = principal_basis(factor, diagonal, rank, context);
+    }
+    low_rank.report.num_control_points = report.num_control_points;
+    low_rank.report.negative_mass = report.negative_mass;
+    low_rank.report.num_negative = report.num_negative;
+    low_rank.report.smallest_eigenvalue = report.smallest_eigenvalue;
+
+    auto storage = std::make_shared<Storage>();
+    storage->basis = std::move(low_rank.basis);
+    model->template_mesh = template_mesh;
+    model->landmarks = landmarks;
+    model->zones = zones;
+    model->basis = {storage->basis.data(), storage->basis.rows(), storage->basis.cols()};
+    model->eigenvalues = low_rank.eigenvalues;
+    model->pca_modes = {nullptr, 3 * n, 0};
+    model->storage = storage;
+    describe(options, low_rank.report, *model);
+    return {model, low_rank.report};
+}
+
+}  // namespace mien

@@ -1,0 +1,43 @@
+// From a template and kernels to a deformation model: control points, kernel columns, low-rank basis.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "base/context.hpp"
+#include "geometry/heat_method.hpp"
+#include "model/deformation_model.hpp"
+#include "model/kernel.hpp"
+#include "model/low_rank.hpp"
+
+namespace mien {
+
+struct ModelOptions {
+    std::vector<KernelTerm> kernels{KernelTerm{}};  ///< summed
+    Index num_modes = 999;         ///< deformation modes at most; 3 make one scalar mode
+    double tolerance = 0;          ///< > 0: stop when this share of the variance is left
+    Index num_control_points = 0;  ///< 0: max(1000, num_modes), never more than #V
+    Vector scale_per_vertex;       ///< empty, or #V factors >= 0 of the displacement's deviation
+    bool mirror_symmetric = false; ///< modes purely even or odd about the plane x = 0
+    double mirror_correlation = 0; ///< 0 .. 1: how much both sides are expected to move alike
+    HeatOptions heat;
+};
+
+struct BuiltModel {
+    std::shared_ptr<const DeformationModel> model;
+    LowRankReport report;
+};
+
+/// Deterministic: same inputs, same bits, for any thread count. Throws Status::invalid_mesh for a
+/// template without vertices or (surface kernels) triangles, invalid_argument for options out of
+/// range and for landmarks or zones that name vertices the template has not. Progress stages:
+/// geodesics, basis. Memory about 20 bytes x #V x control points.
+BuiltModel build_deformation_model(const TriMesh& template_mesh,
+                                   const std::vector<Landmark>& landmarks,
+                                   const std::vector<Zone>& zones, const ModelOptions& options,
+                                   const Context& context);
+
+/// A number as it stands in DeformationModel::info, shortest form that reads back the same.
+std::string info_number(double value);
+
+}  // namespace mien
