@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
 #include <cmath>
+#include <Eigen/Dense>
 #include <set>
 
 #include "base/error.hpp"
