@@ -1,0 +1,34 @@
+# The interface proven from outside: headers, exported names, layout, and that the gates can fail.
+find_program(MIEN_SH sh)
+find_program(MIEN_ABIDIFF abidiff)
+find_program(MIEN_CLANG clang)
+
+if(MIEN_SH)
+    add_test(NAME abi_headers COMMAND ${MIEN_SH} ${CMAKE_CURRENT_SOURCE_DIR}/headers.sh ${PROJECT_SOURCE_DIR}/include)
+endif()
+if(MIEN_SH AND CMAKE_SYSTEM_NAME STREQUAL "Linux" AND NOT MIEN_SANITIZE)
+    add_test(NAME abi_symbols COMMAND ${MIEN_SH} ${CMAKE_CURRENT_SOURCE_DIR}/symbols.sh
+        $<TARGET_FILE:mien> ${PROJECT_SOURCE_DIR}/abi/symbols.txt MIEN_${PROJECT_VERSION_MAJOR})
+endif()
+if(Python3_FOUND)
+    set(python ${CMAKE_COMMAND} -E env PYTHONDONTWRITEBYTECODE=1 ${Python3_EXECUTABLE})
+    set(layout ${PROJECT_SOURCE_DIR}/abi/layout)
+    set(public ${PROJECT_SOURCE_DIR}/include/mien)
+    if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|aarch64)$")
+        add_test(NAME abi_layout COMMAND ${python} ${layout}/layout.py compare
+            ${layout}/${CMAKE_SYSTEM_PROCESSOR}.txt ${public} ${CMAKE_C_COMPILER})
+    endif()
+    if(MIEN_CLANG)
+        foreach(machine x86_64-linux-gnu aarch64-linux-gnu x86_64-w64-windows-gnu)
+            string(REGEX REPLACE "-w64-windows-gnu" "-windows" snapshot ${machine})
+            string(REGEX REPLACE "-linux-gnu" "" snapshot ${snapshot})
+            add_test(NAME abi_layout_${snapshot} COMMAND ${python} ${layout}/layout.py compare
+                ${layout}/${snapshot}.txt ${public} ${MIEN_CLANG} -ffreestanding --target=${machine} -DMIEN_STATIC)
+        endforeach()
+    endif()
+    if(MIEN_ABIDIFF)
+        add_test(NAME abi_baseline COMMAND ${python} ${PROJECT_SOURCE_DIR}/abi/baseline/witness.py compare
+            ${PROJECT_SOURCE_DIR}/abi/baseline/mien-0.abi ${public})
+    endif()
+    add_test(NAME abi_planted_changes COMMAND ${python} ${CMAKE_CURRENT_SOURCE_DIR}/planted_changes_layout.py ${PROJECT_SOURCE_DIR})
+endif()
