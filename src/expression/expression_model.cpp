@@ -1,0 +1,194 @@
+#include "expression/expression_model.hpp"
+
+#include <Eigen/Cholesky>
+#include <cmath>
+#include <cstring>
+
+#include "base/error.hpp"
+#include "base/json.hpp"
+#include "base/sha256.hpp"
+#include "expression/fit.hpp"
+
+namespace mien {
+namespace {
+
+constexpr const char* kKind = "mien-expression-model";
+/// Metadata that the file format itself owns; the rest is the model's `info`.
+const char* const kOwnKeys[] = {"kind",    "format",  "units",           "sha256",
+                                "creator", "component_names", "expression_names", "topology"};
+
+const TensorView& read_tensor(const SafetensorsFile& file, const char* name, DType dtype,
+                              const std::vector<std::int64_t>& shape) {
+    return file.tensor(name, dtype, shape);
+}
+
+Matrix inverse_spd(const Matrix& matrix, const std::string& what) {
+    const Eigen::LLT<Matrix> factor(matrix);
+    if (factor.info() != Eigen::Success)
+        fail(Status::corrupt, "the covariance of the component '%s' is not positive definite",
+             shown_name(what).c_str());
+    Matrix inverse = factor.solve(Matrix::Identity(matrix.rows(), matrix.cols()));
+    return 0.5 * (inverse + inverse.transpose());
+}
+
+void check_positive(const Vector& values, const char* what) {
+    for (Index k = 0; k < values.size(); ++k)
+        if (!(values[k] > 0.0) || !std::isfinite(values[k]))
+            fail_at(Status::corrupt, k, "%s %lld of the expression model is not positive", what,
+                    static_cast<long long>(k));
+}
+
+}  // namespace
+
+std::string topology_hash(Index num_vertices, const TrianglesRef& triangles) {
+    Sha256 hash;
+    const std::int64_t count = num_vertices;
+    hash.update(reinterpret_cast<const char*>(&count), sizeof count);
+    for (Index row = 0; row < triangles.rows(); ++row) {
+        const std::uint32_t corners[3] = {triangles(row, 0), triangles(row, 1), triangles(row, 2)};
+        hash.update(reinterpret_cast<const char*>(corners), sizeof corners);
+    }
+    return hash.hex_digest().substr(0, 16);
+}
+
+void finish_expression_model(ExpressionModel& model) {
+    const Index n = model.num_vertices(), p = model.num_identity_modes();
+    const Index q = model.num_expression_modes();
+    if (n < 1 || p < 1 || q < 1)
+        fail(Status::corrupt, "the expression model is empty: %lld vertices, %lld + %lld modes",
+             static_cast<long long>(n), static_cast<long long>(p), static_cast<long long>(q));
+    if (model.identity_modes.rows != 3 * n || model.expression_modes.rows != 3 * n ||
+        model.identity_deviations.size() != p || model.expression_deviations.size() != q ||
+        model.gram.rows() != p + q || model.gram.cols() != p + q)
+        fail(Status::corrupt, "the parts of the expression model have different sizes");
+    if (model.triangles.size() != 0 && model.triangles.maxCoeff() >= n)
+        fail(Status::corrupt, "a triangle of the expression model names a vertex that is not there");
+    check_positive(model.identity_deviations, "identity deviation");
+    check_positive(model.expression_deviations, "expression deviation");
+    check_positive(Vector::Constant(1, model.map_noise_mm2), "map noise");
+    check_positive(Vector::Constant(1, model.mixture_noise_mm2), "mixture noise");
+    if (!model.gram.allFinite() || !model.mean.allFinite())
+        fail(Status::corrupt, "the expression model holds a value that is not finite");
+
+    auto plan = std::make_shared<FitPlan>();
+    const Vector variances = model.expression_deviations.array().square();
+    plan->map = plan_part(model, model.gram, model.map_noise_mm2,
+                          variances.cwiseInverse().asDiagonal(), Vector::Zero(q), 0.0);
+    for (const ExpressionComponent& component : model.components) {
+        if (component.mean.size() != q || component.covariance.rows() != q ||
+            component.covariance.cols() != q || !component.mean.allFinite() ||
+            !component.covariance.allFinite() || !(component.weight > 0.0) ||
+            !std::isfinite(component.weight))
+            fail(Status::corrupt, "the component '%s' of the expression model is damaged",
+                 shown_name(component.name).c_str());
+        plan->components.push_back(plan_part(model, model.gram, model.mixture_noise_mm2,
+                                             inverse_spd(component.covariance, component.name),
+                                             component.mean, std::log(component.weight)));
+    }
+    model.plan = std::move(plan);
+}
+
+std::shared_ptr<const ExpressionModel> load_expression_model(const std::string& path,
+                                                             const SafetensorsReadOptions& options,
+                                                             const Context& context) {
+    const SafetensorsFile file = SafetensorsFile::open(path, options, context);
+    file.require_kind(kKind, 1);
+    auto model = std::make_shared<ExpressionModel>();
+
+    const TensorView& mean = read_tensor(file, "mean", DType::f64, {-1, 3});
+    const Index n = static_cast<Index>(mean.shape[0]);
+    model->mean = Eigen::Map<const Points>(static_cast<const double*>(mean.data), n, 3);
+    const TensorView& triangles = read_tensor(file, "triangles", DType::u32, {-1, 3});
+    model->triangles =
+        Eigen::Map<const Triangles>(static_cast<const std::uint32_t*>(triangles.data),
+                                    static_cast<Index>(triangles.shape[0]), 3);
+    auto modes = [&](const char* name) {
+        const TensorView& view = read_tensor(file, name, DType::f32, {-1, n, 3});
+        return ModesView{static_cast<const float*>(view.data), 3 * n,
+                         static_cast<Index>(view.shape[0])};
+    };
+    model->identity_modes = modes("identity_modes");
+    model->expression_modes = modes("expression_modes");
+    const Index p = model->num_identity_modes(), q = model->num_expression_modes();
+    auto vector = [&](const char* name, Index size) {
+        const TensorView& view = read_tensor(file, name, DType::f64, {size});
+        return Vector(Eigen::Map<const Vector>(static_cast<const double*>(view.data), size));
+    };
+    model->identity_deviations = vector("identity_deviations", p);
+    model->expression_deviations = vector("expression_deviations", q);
+    const Vector noise = vector("noise_mm2", 2);
+    model->map_noise_mm2 = noise[0];
+    model->mixture_noise_mm2 = noise[1];
+    const TensorView& gram = read_tensor(file, "gram", DType::f64, {p + q, p + q});
+    model->gram = Eigen::Map<const Matrix>(static_cast<const double*>(gram.data), p + q, p + q);
+
+    const std::vector<std::string> names =
+        parse_json_string_list(file.metadata("component_names"), "component_names");
+    const Index count = static_cast<Index>(names.size());
+    const Vector weights = vector("component_weights", count);
+    const TensorView& means = read_tensor(file, "component_means", DType::f64, {count, q});
+    const TensorView& covariances =
+        read_tensor(file, "component_covariances", DType::f64, {count, q, q});
+    for (Index k = 0; k < count; ++k) {
+        ExpressionComponent component;
+        component.name = names[static_cast<std::size_t>(k)];
+        component.weight = weights[k];
+        component.mean =
+            Eigen::Map<const Vector>(static_cast<const double*>(means.data) + k * q, q);
+        component.covariance = Eigen::Map<const Matrix>(
+            static_cast<const double*>(covariances.data) + k * q * q, q, q);
+        model->components.push_back(std::move(component));
+    }
+    model->expression_names =
+        parse_json_string_list(file.metadata("expression_names"), "expression_names");
+    model->info = file.metadata();
+    for (const char* key : kOwnKeys) model->info.erase(key);
+    model->storage = file.storage();
+    finish_expression_model(*model);
+    return model;
+}
+
+void save_expression_model(const std::string& path, const ExpressionModel& model,
+                           const Context& context) {
+    const std::uint64_t n = static_cast<std::uint64_t>(model.num_vertices());
+    const std::uint64_t p = static_cast<std::uint64_t>(model.num_identity_modes());
+    const std::uint64_t q = static_cast<std::uint64_t>(model.num_expression_modes());
+    const std::uint64_t count = model.components.size();
+    const Vector noise = (Vector(2) << model.map_noise_mm2, model.mixture_noise_mm2).finished();
+    Vector weights(static_cast<Index>(count));
+    std::vector<double> means, covariances;
+    std::vector<std::string> names;
+    for (std::size_t k = 0; k < model.components.size(); ++k) {
+        const ExpressionComponent& component = model.components[k];
+        names.push_back(component.name);
+        weights[static_cast<Index>(k)] = component.weight;
+        means.insert(means.end(), component.mean.data(),
+                     component.mean.data() + component.mean.size());
+        covariances.insert(covariances.end(), component.covariance.data(),
+                           component.covariance.data() + component.covariance.size());
+    }
+    std::map<std::string, std::string> metadata = model.info;
+    metadata["kind"] = kKind;
+    metadata["format"] = "1.0";
+    metadata["units"] = "millimetres";
+    metadata["component_names"] = json_string_list(names);
+    metadata["expression_names"] = json_string_list(model.expression_names);
+    metadata["topology"] = topology_hash(model.num_vertices(), model.triangles);
+    write_safetensors(
+        path,
+        {{"mean", DType::f64, {n, 3}, model.mean.data()},
+         {"identity_deviations", DType::f64, {p}, model.identity_deviations.data()},
+         {"expression_deviations", DType::f64, {q}, model.expression_deviations.data()},
+         {"noise_mm2", DType::f64, {2}, noise.data()},
+         {"gram", DType::f64, {p + q, p + q}, model.gram.data()},
+         {"component_weights", DType::f64, {count}, weights.data()},
+         {"component_means", DType::f64, {count, q}, means.data()},
+         {"component_covariances", DType::f64, {count, q, q}, covariances.data()},
+         {"identity_modes", DType::f32, {p, n, 3}, model.identity_modes.data},
+         {"expression_modes", DType::f32, {q, n, 3}, model.expression_modes.data},
+         {"triangles", DType::u32, {static_cast<std::uint64_t>(model.triangles.rows()), 3},
+          model.triangles.data()}},
+        std::move(metadata), context);
+}
+
+}  // namespace mien

@@ -1,0 +1,260 @@
+#include "expression/fit.hpp"
+
+#include <Eigen/Cholesky>
+#include <cmath>
+
+#include "base/dense.hpp"
+#include "base/error.hpp"
+#include "base/parallel.hpp"
+
+namespace mien {
+namespace {
+
+constexpr std::size_t kRowChunk = 3072;  ///< rows of the modes per task: floats stay in the cache
+
+void check_options(const FitOptions& options) {
+    if (options.max_sweeps < 1 || options.max_sweeps > 100000)
+        fail(Status::invalid_argument, "max_sweeps is %d; give 1 to 100000", options.max_sweeps);
+    if (!(options.tolerance >= 0.0) || !std::isfinite(options.tolerance))
+        fail(Status::invalid_argument, "the sweep tolerance must be finite and not negative");
+    if (!(options.noise_mm2 >= 0.0) || !std::isfinite(options.noise_mm2))
+        fail(Status::invalid_argument, "noise_mm2 must be finite and not negative (0: the model's)");
+}
+
+/// Algorithm 2 in coordinates: P'P = I and Q'Q = I hold for full weights; with weights each half
+/// step solves its own small normal system.
+FitResult alternate(const ExpressionModel& model, const Matrix& gram, const Vector& projection,
+                    const FitOptions& options) {
+    const Index p = model.num_identity_modes(), q = model.num_expression_modes();
+    const Eigen::LDLT<Matrix> identity(gram.topLeftCorner(p, p));
+    const Eigen::LDLT<Matrix> expression(gram.bottomRightCorner(q, q));
+    if (identity.info() != Eigen::Success || expression.info() != Eigen::Success)
+        fail(Status::no_solution, "too little of the face is visible for the alternating fit");
+    const Matrix cross = gram.topRightCorner(p, q);
+    FitResult result;
+    result.identity = Vector::Zero(p);
+    result.expression = Vector::Zero(q);
+    result.converged = false;
+    const double rows = static_cast<double>(3 * model.num_vertices());
+    for (result.sweeps = 0; result.sweeps < options.max_sweeps && !result.converged;) {
+        result.identity = identity.solve(projection.head(p) - cross * result.expression);
+        const Vector next =
+            expression.solve(projection.tail(q) - cross.transpose() * result.identity);
+        const double moved = std::sqrt((next - result.expression).squaredNorm() / rows);
+        result.expression = next;
+        ++result.sweeps;
+        result.converged = moved < options.tolerance;
+    }
+    return result;
+}
+
+struct PartSolution {
+    Vector coordinates;
+    double log_evidence = 0;
+};
+
+PartSolution solve_part(const FitPlan::Part& part, const Vector& projection, double noise) {
+    const Vector right = projection - part.gram_mean;
+    const Vector offset = part.solve * right;
+    PartSolution solution;
+    solution.coordinates = offset + part.mean;
+    solution.log_evidence =
+        part.log_offset + (offset.dot(right) + 2.0 * projection.dot(part.mean)) / (2.0 * noise);
+    return solution;
+}
+
+}  // namespace
+
+Vector project_modes(const Context& context, const ModesView& modes, const Vector& displacement) {
+    const std::size_t rows = static_cast<std::size_t>(modes.rows);
+    const Eigen::VectorXf values = displacement.cast<float>();
+    return parallel_sum(
+        context, rows, kRowChunk, Vector(Vector::Zero(modes.cols)),
+        [&](std::size_t begin, std::size_t end) {
+            const Index first = static_cast<Index>(begin), size = static_cast<Index>(end - begin);
+            const Eigen::VectorXf sums =
+                modes.map().middleRows(first, size).transpose() * values.segment(first, size);
+            return Vector(sums.cast<double>());
+        });
+}
+
+void add_modes(const Context& context, const ModesView& modes, const Vector& coordinates,
+               double factor, Eigen::Ref<Vector> out) {
+    const Eigen::VectorXf scaled = (factor * coordinates).cast<float>();
+    parallel_for(context, static_cast<std::size_t>(modes.rows), kRowChunk,
+                 [&](std::size_t begin, std::size_t end) {
+                     const Index first = static_cast<Index>(begin);
+                     const Index size = static_cast<Index>(end - begin);
+                     const Eigen::VectorXf sum = modes.map().middleRows(first, size) * scaled;
+                     out.segment(first, size) += sum.cast<double>();
+                 });
+}
+
+FaceEvidence gather_evidence(const Context& context, const ExpressionModel& model,
+                             const PointsRef& vertices, const Vector& weights) {
+    const Index n = model.num_vertices(), p = model.num_identity_modes();
+    const Index q = model.num_expression_modes();
+    if (vertices.rows() != n)
+        fail(Status::mismatch, "the face has %lld vertices, the model %lld",
+             static_cast<long long>(vertices.rows()), static_cast<long long>(n));
+    if (weights.size() != 0 && weights.size() != n)
+        fail(Status::mismatch, "%lld weights for %lld vertices",
+             static_cast<long long>(weights.size()), static_cast<long long>(n));
+    Vector displacement(3 * n);
+    for (Index i = 0; i < n; ++i)
+        displacement.segment<3>(3 * i) = vertices.row(i) - model.mean.row(i);
+    if (weights.size() != 0)
+        for (Index i = 0; i < n; ++i) {
+            if (!(weights[i] >= 0.0) || !std::isfinite(weights[i]))
+                fail_at(Status::invalid_argument, i,
+                        "the weight of vertex %lld is negative or not finite",
+                        static_cast<long long>(i));
+            // A vertex without data may hold anything, even what is not finite.
+            if (weights[i] == 0.0)
+                displacement.segment<3>(3 * i).setZero();
+            else
+                displacement.segment<3>(3 * i) *= weights[i];
+        }
+    if (!displacement.allFinite())
+        fail(Status::invalid_mesh, "the face holds a coordinate that is not finite");
+
+    FaceEvidence evidence;
+    evidence.projection.resize(p + q);
+    evidence.projection.head(p) = project_modes(context, model.identity_modes, displacement);
+    evidence.projection.tail(q) = project_modes(context, model.expression_modes, displacement);
+    if (weights.size() == 0) return evidence;
+
+    evidence.gram = Matrix::Zero(p + q, p + q);
+    constexpr Index kBlock = 3 * 4096;
+    Matrix block, part(p + q, p + q);
+    Vector row_weights;
+    for (Index first = 0; first < 3 * n; first += kBlock) {
+        const Index size = std::min(kBlock, 3 * n - first);
+        block.resize(size, p + q);
+        block.leftCols(p) = model.identity_modes.map().middleRows(first, size).cast<double>();
+        block.rightCols(q) = model.expression_modes.map().middleRows(first, size).cast<double>();
+        row_weights.resize(size);
+        for (Index k = 0; k < size; ++k) row_weights[k] = weights[(first + k) / 3];
+        dense::weighted_gram(context, block, row_weights, part);
+        evidence.gram += part;
+    }
+    return evidence;
+}
+
+FitPlan::Part plan_part(const ExpressionModel& model, const Matrix& gram, double noise,
+                        const Matrix& expression_precision, const Vector& expression_mean,
+                        double log_weight) {
+    const Index p = model.num_identity_modes(), q = model.num_expression_modes();
+    FitPlan::Part part;
+    part.prior_precision = expression_precision;
+    part.mean = Vector::Zero(p + q);
+    part.mean.tail(q) = expression_mean;
+    part.gram_mean = gram * part.mean;
+    Matrix system = gram;
+    system.diagonal().head(p) +=
+        noise * model.identity_deviations.array().square().inverse().matrix();
+    system.bottomRightCorner(q, q) += noise * expression_precision;
+    const Eigen::LLT<Matrix> factor(system);
+    const Eigen::LLT<Matrix> prior(expression_precision);
+    if (factor.info() != Eigen::Success || prior.info() != Eigen::Success)
+        fail(Status::no_solution, "a prior of the expression model is not positive definite");
+    part.solve = factor.solve(Matrix::Identity(p + q, p + q));
+    part.solve = (0.5 * (part.solve + part.solve.transpose())).eval();
+    const double log_det_system =
+        2.0 * factor.matrixLLT().diagonal().array().log().sum() - static_cast<double>(p + q) * std::log(noise);
+    const double log_det_prior = 2.0 * prior.matrixLLT().diagonal().array().log().sum();
+    part.log_offset = log_weight - 0.5 * log_det_system + 0.5 * log_det_prior -
+                      part.mean.dot(part.gram_mean) / (2.0 * noise);
+    return part;
+}
+
+FitResult fit_face(const ExpressionModel& model, const FaceEvidence& evidence,
+                   const FitOptions& options) {
+    check_options(options);
+    const Index p = model.num_identity_modes(), q = model.num_expression_modes();
+    const bool own_gram = evidence.gram.size() == 0;
+    const Matrix& gram = own_gram ? model.gram : evidence.gram;
+    const Vector& projection = evidence.projection;
+
+    if (options.method == FitMethod::alternating)
+        return alternate(model, gram, projection, options);
+
+    FitResult result;
+    if (options.method == FitMethod::exact) {
+        const Eigen::LDLT<Matrix> factor(gram);
+        const Vector pivots = factor.vectorD();
+        if (factor.info() != Eigen::Success ||
+            !(pivots.minCoeff() > 1e-12 * std::max(pivots.maxCoeff(), 0.0)))
+            fail(Status::no_solution,
+                 "the joint fit is singular: too few vertices are visible; use the fits 'map' or "
+                 "'mixture'");
+        const Vector coordinates = factor.solve(projection);
+        result.identity = coordinates.head(p);
+        result.expression = coordinates.tail(q);
+        return result;
+    }
+
+    const bool mixture = options.method == FitMethod::mixture && !model.components.empty();
+    const double model_noise = mixture ? model.mixture_noise_mm2 : model.map_noise_mm2;
+    const double noise = options.noise_mm2 > 0.0 ? options.noise_mm2 : model_noise;
+    const bool planned = own_gram && noise == model_noise && model.plan;
+    FitPlan::Part made;
+    auto part_of = [&](std::size_t k) -> const FitPlan::Part& {
+        if (planned) return mixture ? model.plan->components[k] : model.plan->map;
+        const FitPlan::Part& known = mixture ? model.plan->components[k] : model.plan->map;
+        const double weight = mixture ? model.components[k].weight : 1.0;
+        made = plan_part(model, gram, noise, known.prior_precision, known.mean.tail(q),
+                         std::log(weight));
+        return made;
+    };
+
+    if (!mixture) {
+        const FitPlan::Part& part = part_of(0);
+        const Vector coordinates = solve_part(part, projection, noise).coordinates;
+        result.identity = coordinates.head(p);
+        result.expression = coordinates.tail(q);
+        result.expression_covariance = noise * part.solve.bottomRightCorner(q, q);
+        return result;
+    }
+
+    const std::size_t count = model.components.size();
+    std::vector<PartSolution> solutions(count);
+    std::vector<Matrix> covariances(planned ? 0 : count);
+    double best = -std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < count; ++k) {
+        const FitPlan::Part& part = part_of(k);
+        solutions[k] = solve_part(part, projection, noise);
+        if (!planned) covariances[k] = part.solve.bottomRightCorner(q, q);
+        best = std::max(best, solutions[k].log_evidence);
+    }
+    if (!std::isfinite(best))
+        fail(Status::no_solution, "the face is too far from anything the model knows");
+    result.component_probabilities.resize(count);
+    double total = 0.0;
+    for (std::size_t k = 0; k < count; ++k) {
+        result.component_probabilities[k] = std::exp(solutions[k].log_evidence - best);
+        total += result.component_probabilities[k];
+    }
+    Vector mean = Vector::Zero(p + q);
+    for (std::size_t k = 0; k < count; ++k) {
+        result.component_probabilities[k] /= total;
+        mean += result.component_probabilities[k] * solutions[k].coordinates;
+    }
+    result.identity = mean.head(p);
+    result.expression = mean.tail(q);
+    result.expression_covariance = Matrix::Zero(q, q);
+    for (std::size_t k = 0; k < count; ++k) {
+        const double weight = result.component_probabilities[k];
+        if (weight < 1e-9) continue;  // far below what a double sum of the others would show
+        const Vector apart = solutions[k].coordinates.tail(q) - result.expression;
+        if (planned)
+            result.expression_covariance +=
+                weight * noise * model.plan->components[k].solve.bottomRightCorner(q, q);
+        else
+            result.expression_covariance += weight * noise * covariances[k];
+        result.expression_covariance += weight * apart * apart.transpose();
+    }
+    return result;
+}
+
+}  // namespace mien

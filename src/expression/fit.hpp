@@ -1,0 +1,80 @@
+// Coordinates of a face in an expression model.
+//
+// alternating: block relaxation, Algorithm 2 of J 4.2.3, for reproduction. exact: its limit, the
+//   joint least squares of (4.14) solved at once. map: the same with Gaussian priors. mixture (the
+//   default): the prior of b is the model's mixture over expressions; each component gives a linear
+//   Gaussian estimate c_k and an evidence e_k, and the coordinates are sum_k w_k c_k, w_k ~ e_k: the
+//   posterior mean. A face that looks neutral then stays neutral, which no single Gaussian does.
+//
+// With B = [P Q], diagonal weights W (three equal entries per vertex), r = B' W (v - mean) and
+// G = B' W B, component k with prior precision L_k and mean m_k gives
+//   (G + s L_k) (c_k - m_k) = r - G m_k,  s the noise variance,
+//   log e_k = log weight_k + [(c_k - m_k)'(r - G m_k) + 2 r'm_k - m_k'G m_k] / 2s
+//             - log det(G/s + L_k) / 2 + log det(L_k) / 2 + constant.
+#pragma once
+
+#include "base/context.hpp"
+#include "expression/expression_model.hpp"
+
+namespace mien {
+
+/// The numbers are the C ABI's numbers.
+enum class FitMethod : std::int32_t { mixture = 0, map = 1, exact = 2, alternating = 3 };
+
+struct FitOptions {
+    FitMethod method = FitMethod::mixture;
+    int max_sweeps = 200;      ///< alternating: at most, 1..100000
+    double tolerance = 1e-6;   ///< alternating: stop when a sweep moves the expression by less (mm
+                               ///< root mean square over all coordinates), 0: never
+    double noise_mm2 = 0.0;    ///< 0: the model's own
+};
+
+struct FitResult {
+    Vector identity;                ///< p, a
+    Vector expression;              ///< q, b
+    Matrix expression_covariance;   ///< q x q, posterior; empty for exact and alternating
+    std::vector<double> component_probabilities;  ///< of model.components; mixture only
+    int sweeps = 0;                 ///< alternating
+    bool converged = true;          ///< alternating: the stop rule was met
+};
+
+/// What the fit needs of one face: linear in the data, so that several faces can be combined.
+struct FaceEvidence {
+    Vector projection;  ///< B' W (v - mean), p+q
+    Matrix gram;        ///< B' W B; empty: the model's own (all weights one)
+};
+
+/// Factorisations that do not depend on the face, for weights of one.
+struct FitPlan {
+    struct Part {
+        Matrix prior_precision;  ///< q x q
+        Matrix solve;            ///< (G + s L)^-1, symmetric
+        double log_offset = 0;   ///< everything in log e_k that does not depend on the face
+        Vector mean;             ///< p+q, zeros and the component's mean
+        Vector gram_mean;        ///< G m_k
+    };
+    Matrix exact_factor;         ///< lower Cholesky factor of G, for `exact`
+    Part map;
+    std::vector<Part> components;
+};
+
+/// Weights per vertex, >= 0, or empty for ones. O(#V (p+q)), and O(#V (p+q)^2) more with weights.
+FaceEvidence gather_evidence(const Context& context, const ExpressionModel& model,
+                             const PointsRef& vertices, const Vector& weights_per_vertex);
+
+/// Throws Status::no_solution when the system is singular (`exact` with too few visible vertices).
+FitResult fit_face(const ExpressionModel& model, const FaceEvidence& evidence,
+                   const FitOptions& options);
+
+/// Part for a Gaussian prior with the given expression precision and mean on top of `gram`.
+FitPlan::Part plan_part(const ExpressionModel& model, const Matrix& gram, double noise_mm2,
+                        const Matrix& expression_precision, const Vector& expression_mean,
+                        double log_weight);
+
+/// B' y without B in double: columns of floats, sums in double over fixed chunks.
+Vector project_modes(const Context& context, const ModesView& modes, const Vector& displacement);
+/// out += factor * modes * coordinates.
+void add_modes(const Context& context, const ModesView& modes, const Vector& coordinates,
+               double factor, Eigen::Ref<Vector> out);
+
+}  // namespace mien

@@ -1,0 +1,51 @@
+// The neutral face of a face (J 4.15): fit identity and expression, take the expression's displacement
+// away, and keep everything that the model does not explain:  neutral = v - Q b.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/context.hpp"
+#include "expression/expression_model.hpp"
+#include "expression/fit.hpp"
+
+namespace mien {
+
+struct NeutralizeOptions {
+    FitOptions fit;
+    bool uncertainty = false;  ///< compute the deviation per vertex
+};
+
+struct NeutralizationResult {
+    Points neutral_vertices;          ///< #V x 3 of the input, mm
+    Vector identity, expression;      ///< coordinates, mm along the unit modes
+    std::vector<double> component_probabilities;  ///< of model.components; mixture only
+    /// Root of the summed posterior variance of the three coordinates that neutralization moved, per
+    /// vertex, mm; empty unless asked for, or for fits without a prior.
+    Vector uncertainty_mm;
+    double mean_displacement_mm = 0, max_displacement_mm = 0;
+    double residual_rms_mm = 0;       ///< distance of the face from the fitted model per vertex
+    int sweeps = 0;
+    bool converged = true;
+};
+
+/// `vertices` in the model's topology and frame. Weights per vertex (>= 0; zero: no data there) or
+/// empty. A vertex of weight zero still moves with the model. Throws Status::mismatch,
+/// invalid_mesh, invalid_argument, no_solution. O(#V (p+q)).
+NeutralizationResult neutralize(const Context& context, const ExpressionModel& model,
+                                const PointsRef& vertices, const Vector& weights_per_vertex,
+                                const NeutralizeOptions& options);
+
+/// Throws Status::mismatch unless a mesh of so many vertices with these triangles is in the model's
+/// topology. Without triangles (0 rows) only the vertex count is held against the model.
+void check_topology(const ExpressionModel& model, Index num_vertices, const TrianglesRef& triangles);
+
+/// mean + P (identity coordinates) + Q (expression coordinates); empty vectors for none.
+Points synthesize_face(const Context& context, const ExpressionModel& model, const Vector& identity,
+                       const Vector& expression);
+
+/// Root of the trace of Q_i C Q_i' per vertex, C a covariance of expression coordinates.
+Vector expression_uncertainty(const Context& context, const ExpressionModel& model,
+                              const Matrix& covariance);
+
+}  // namespace mien

@@ -1,0 +1,125 @@
+#include "expression/training.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "base/dense.hpp"
+#include "base/error.hpp"
+
+namespace mien {
+namespace {
+
+std::string number_text(double value) {
+    char text[32];
+    const auto end = std::to_chars(text, text + sizeof text, value);
+    return std::string(text, end.ptr);
+}
+
+/// Modes in the model's own memory, with what the model needs of them.
+struct ModesStorage {
+    Eigen::MatrixXf identity, expression;
+};
+
+Vector root_mean_square_rows(const Matrix& coordinates, double count) {
+    const Vector values = (coordinates.rowwise().squaredNorm() / count).cwiseSqrt();
+    // A direction without variance would make the prior singular.
+    return values.cwiseMax(1e-6 * std::max(values.maxCoeff(), 1e-6));
+}
+
+}  // namespace
+
+std::shared_ptr<const ExpressionModel> train_expression_model(const ColumnSource& source,
+                                                              const TrainOptions& options,
+                                                              const Context& context,
+                                                              TrainReport* report) {
+    if (options.subspaces.identity_modes > 4000 || options.subspaces.expression_modes > 4000)
+        fail(Status::invalid_argument, "at most 4000 modes of each kind can be trained");
+    JointSpanOptions span_options = options.span;
+    auto default_rank = [](Index modes) { return std::max(3 * modes, modes + 60); };
+    if (span_options.identity_rank == 0)
+        span_options.identity_rank = default_rank(options.subspaces.identity_modes);
+    if (span_options.expression_rank == 0)
+        span_options.expression_rank = default_rank(options.subspaces.expression_modes);
+    const JointSpan span = find_joint_span(context, source, span_options);
+    const JointPca subspaces =
+        joint_pca(context, span.neutrals, span.displacements, options.subspaces);
+    const Index p = subspaces.identity.cols(), q = subspaces.expression.cols();
+    const double m = static_cast<double>(source.num_neutrals());
+    const double s = static_cast<double>(source.num_displacements());
+
+    auto model = std::make_shared<ExpressionModel>();
+    model->mean = Eigen::Map<const Points>(span.mean.data(), source.num_vertices, 3);
+    model->triangles = source.triangles;
+    auto storage = std::make_shared<ModesStorage>();
+    auto lift = [&](const Matrix& coordinates, Eigen::MatrixXf& out) {
+        Matrix modes(span.basis.rows(), coordinates.cols());
+        dense::multiply(context, 1.0, span.basis, dense::Op::none, coordinates, dense::Op::none, 0.0,
+                        modes);
+        out = modes.cast<float>();
+        return ModesView{out.data(), out.rows(), out.cols()};
+    };
+    model->identity_modes = lift(subspaces.identity, storage->identity);
+    model->expression_modes = lift(subspaces.expression, storage->expression);
+    model->storage = storage;
+    const Matrix identity_coordinates = subspaces.identity.transpose() * span.neutrals;
+    const Matrix expression_coordinates = subspaces.expression.transpose() * span.displacements;
+    model->identity_deviations =
+        root_mean_square_rows(identity_coordinates, std::max(1.0, m - 1.0));
+    model->expression_deviations = root_mean_square_rows(expression_coordinates, s);
+    Matrix modes(subspaces.identity.rows(), p + q);
+    modes << subspaces.identity, subspaces.expression;
+    model->gram = modes.transpose() * modes;
+    model->components =
+        expression_components(expression_coordinates, source.displacement_expression,
+                              source.expression_names, model->expression_deviations, options.prior);
+    model->expression_names = source.expression_names;
+
+    NoiseLevels noise;
+    if (options.map_noise_mm2 <= 0.0 || options.mixture_noise_mm2 <= 0.0)
+        noise = estimate_noise(context, source, span, subspaces.expression,
+                               options.subspaces.identity_modes, options.prior);
+    model->map_noise_mm2 = options.map_noise_mm2 > 0.0 ? options.map_noise_mm2 : noise.map_mm2;
+    model->mixture_noise_mm2 =
+        options.mixture_noise_mm2 > 0.0 ? options.mixture_noise_mm2 : noise.mixture_mm2;
+
+    const bool quasi = options.subspaces.method == TrainMethod::quasi_orthogonal;
+    model->info["method"] = quasi ? "qojpca" : "jpca";
+    model->info["subjects"] = std::to_string(source.num_neutrals());
+    model->info["faces"] = std::to_string(source.num_neutrals() + source.num_displacements());
+    if (quasi) {
+        model->info["lambda"] = number_text(subspaces.lambda);
+        model->info["iterations"] = std::to_string(subspaces.iterations);
+        model->info["converged"] = subspaces.converged ? "yes" : "no";
+    }
+    finish_expression_model(*model);
+
+    if (report != nullptr) {
+        report->subjects = source.num_neutrals();
+        report->faces = source.num_neutrals() + source.num_displacements();
+        report->skipped_faces = source.num_skipped;
+        report->k = subspaces.k;
+        report->lambda = subspaces.lambda;
+        report->iterations = subspaces.iterations;
+        report->last_angle_rad = subspaces.last_angle_rad;
+        report->converged = subspaces.converged;
+        report->orthogonality = orthogonality_scores(subspaces.identity, subspaces.expression);
+        report->identity_explained = identity_coordinates.squaredNorm() / span.neutral_energy;
+        report->expression_explained =
+            expression_coordinates.squaredNorm() / span.displacement_energy;
+        report->span_cut = (span.neutral_energy_cut + span.displacement_energy_cut) /
+                           (span.neutral_energy + span.displacement_energy);
+        report->noise = noise;
+    }
+    context.progress(Stage::training, 1.0);
+    return model;
+}
+
+std::shared_ptr<const ExpressionModel> train_expression_model(
+    std::shared_ptr<const FaceDataset> dataset, const TrainOptions& options, const Context& context,
+    TrainReport* report) {
+    return train_expression_model(*dataset_columns(std::move(dataset), {}), options, context,
+                                  report);
+}
+
+}  // namespace mien

@@ -1,0 +1,47 @@
+// From a study's faces to an expression model: joint span, subspaces, prior, noise.
+#pragma once
+
+#include <memory>
+
+#include "base/context.hpp"
+#include "expression/column_source.hpp"
+#include "expression/expression_model.hpp"
+#include "expression/joint_pca.hpp"
+#include "expression/joint_span.hpp"
+#include "expression/prior.hpp"
+#include "mesh/dataset.hpp"
+
+namespace mien {
+
+struct TrainOptions {
+    JointPcaOptions subspaces;
+    JointSpanOptions span;     ///< ranks of 0: max(3 modes, modes + 60)
+    PriorOptions prior;
+    double map_noise_mm2 = 0.0, mixture_noise_mm2 = 0.0;  ///< 0: by cross-validation
+    TrainOptions() { span.identity_rank = span.expression_rank = 0; }
+};
+
+struct TrainReport {
+    Index subjects = 0, faces = 0, skipped_faces = 0;
+    double k = 1, lambda = 0;
+    int iterations = 0;
+    double last_angle_rad = 0;
+    bool converged = true;
+    Vector orthogonality;             ///< ||P_c Q_c'||, c = 1 ..
+    double identity_explained = 0, expression_explained = 0;  ///< shares of the training variance
+    double span_cut = 0;              ///< share of the variance that the joint span does not hold
+    NoiseLevels noise;
+};
+
+/// Deterministic; the same bits for any thread count. O(passes #V s r). Throws
+/// Status::invalid_argument (no neutral faces, fewer than 2 subjects, nothing to learn),
+/// memory_budget, cancelled, corrupt.
+std::shared_ptr<const ExpressionModel> train_expression_model(const ColumnSource& source,
+                                                              const TrainOptions& options,
+                                                              const Context& context,
+                                                              TrainReport* report = nullptr);
+std::shared_ptr<const ExpressionModel> train_expression_model(
+    std::shared_ptr<const FaceDataset> dataset, const TrainOptions& options, const Context& context,
+    TrainReport* report = nullptr);
+
+}  // namespace mien

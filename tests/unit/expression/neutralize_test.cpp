@@ -1,0 +1,152 @@
+#include "expression/neutralize.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "base/error.hpp"
+#include "base/thread_pool.hpp"
+#include "expression/training.hpp"
+#include "study.hpp"
+
+namespace mien {
+namespace {
+
+using test::mean_distance;
+using test::Study;
+
+const Study& study() {
+    static const Study made;
+    return made;
+}
+
+const ExpressionModel& model() {
+    static const std::shared_ptr<const ExpressionModel> trained = [] {
+        TrainOptions options;
+        options.subspaces.identity_modes = 10;
+        options.subspaces.expression_modes = 8;
+        return train_expression_model(study().dataset(0, study().subjects, "neutralize"), options,
+                                      Context());
+    }();
+    return *trained;
+}
+
+Points neutralized(const Points& face, FitMethod method, const Vector& weights = Vector()) {
+    NeutralizeOptions options;
+    options.fit.method = method;
+    return neutralize(Context(), model(), face, weights, options).neutral_vertices;
+}
+
+TEST(Neutralize, BringsUnseenFacesBackToTheirNeutral) {
+    double before = 0, mixture = 0, map = 0;
+    for (int subject = 50; subject < 60; ++subject)
+        for (int expression = 1; expression < 5; ++expression) {
+            const Points face = study().face(subject, expression), truth = study().neutral(subject);
+            before += mean_distance(face, truth);
+            mixture += mean_distance(neutralized(face, FitMethod::mixture), truth);
+            map += mean_distance(neutralized(face, FitMethod::map), truth);
+        }
+    EXPECT_LT(mixture, 0.35 * before);
+    EXPECT_LT(map, 0.7 * before);
+    EXPECT_LE(mixture, map);
+}
+
+TEST(Neutralize, LeavesANeutralFaceAsItIs) {
+    for (int subject = 50; subject < 60; ++subject) {
+        const Points face = study().neutral(subject);
+        EXPECT_LT(mean_distance(neutralized(face, FitMethod::mixture), face), 0.1);
+    }
+}
+
+TEST(Neutralize, KeepsDetailThatTheModelDoesNotExplain) {
+    const Points face = study().face(50, 1);
+    Points spiky = face;
+    // A pattern that alternates from vertex to vertex is outside of every smooth mode.
+    for (Index i = 0; i < spiky.rows(); ++i) spiky(i, 2) += (i % 2 == 0 ? 0.5 : -0.5);
+    const Points difference =
+        neutralized(spiky, FitMethod::mixture) - neutralized(face, FitMethod::mixture);
+    EXPECT_LT((difference - (spiky - face)).cwiseAbs().maxCoeff(), 0.05);
+}
+
+TEST(Neutralize, AlternationConvergesToTheExactFit) {
+    const Points face = study().face(51, 2);
+    NeutralizeOptions options;
+    options.fit.method = FitMethod::alternating;
+    options.fit.max_sweeps = 20000;
+    options.fit.tolerance = 1e-12;
+    const NeutralizationResult result = neutralize(Context(), model(), face, Vector(), options);
+    EXPECT_LT(mean_distance(result.neutral_vertices, neutralized(face, FitMethod::exact)), 1e-3);
+    options.fit.max_sweeps = 3;
+    EXPECT_EQ(neutralize(Context(), model(), face, Vector(), options).sweeps, 3);
+}
+
+TEST(Neutralize, WeightsOfOneChangeNothing) {
+    const Points face = study().face(52, 3);
+    const Vector ones = Vector::Ones(face.rows());
+    for (FitMethod method : {FitMethod::mixture, FitMethod::map, FitMethod::exact})
+        EXPECT_LT(mean_distance(neutralized(face, method), neutralized(face, method, ones)), 1e-3);
+}
+
+TEST(Neutralize, VerticesWithoutDataMayHoldAnything) {
+    Points face = study().face(53, 1);
+    Vector weights = Vector::Ones(face.rows());
+    const Points whole = neutralized(face, FitMethod::mixture);
+    for (Index i = 0; i < 40; ++i) weights[face.rows() - 1 - i] = 0.0;
+    Points damaged = face;
+    for (Index i = 0; i < 40; ++i) damaged.row(face.rows() - 1 - i).setConstant(1e6);
+    const Points partial = neutralized(damaged, FitMethod::mixture, weights);
+    double apart = 0;
+    for (Index i = 0; i + 40 < face.rows(); ++i)
+        apart = std::max(apart, (partial.row(i) - whole.row(i)).norm());
+    EXPECT_LT(apart, 1.0);
+}
+
+TEST(Neutralize, SameBitsForAnyThreadCount) {
+    ThreadPool pool(3);
+    Context context;
+    context.pool = &pool;
+    const Points face = study().face(54, 4);
+    const Vector weights = Vector::LinSpaced(face.rows(), 0.0, 1.0);
+    EXPECT_TRUE(neutralize(Context(), model(), face, weights, {}).neutral_vertices ==
+                neutralize(context, model(), face, weights, {}).neutral_vertices);
+}
+
+TEST(Neutralize, UncertaintyIsLargerWhereTheFaceIsUnseen) {
+    const Points face = study().face(55, 1);
+    NeutralizeOptions options;
+    options.uncertainty = true;
+    Vector weights = Vector::Ones(face.rows());
+    const Vector seen = neutralize(Context(), model(), face, weights, options).uncertainty_mm;
+    ASSERT_EQ(seen.size(), face.rows());
+    for (Index i = 0; i < face.rows() / 2; ++i) weights[i] = 0.0;
+    const Vector half = neutralize(Context(), model(), face, weights, options).uncertainty_mm;
+    EXPECT_GT(half.mean(), 1.2 * seen.mean());
+    EXPECT_GE(seen.minCoeff(), 0.0);
+}
+
+TEST(Neutralize, RefusesWhatDoesNotFit) {
+    auto status_of = [](auto&& action) {
+        try {
+            action();
+        } catch (const Error& error) {
+            return error.status();
+        }
+        return Status::ok;
+    };
+    Points face = study().face(50, 1);
+    EXPECT_EQ(status_of([&] { neutralized(face.topRows(10), FitMethod::map); }), Status::mismatch);
+    EXPECT_EQ(status_of([&] { neutralized(face, FitMethod::map, Vector::Ones(3)); }), Status::mismatch);
+    EXPECT_EQ(status_of([&] { neutralized(face, FitMethod::map, -Vector::Ones(face.rows())); }),
+              Status::invalid_argument);
+    EXPECT_EQ(status_of([&] { neutralized(face, FitMethod::exact, Vector::Zero(face.rows())); }),
+              Status::no_solution);
+    face(3, 1) = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(status_of([&] { neutralized(face, FitMethod::map); }), Status::invalid_mesh);
+    Triangles other = study().triangles;
+    std::swap(other(0, 0), other(0, 1));
+    EXPECT_EQ(status_of([&] { check_topology(model(), face.rows(), other); }), Status::mismatch);
+    EXPECT_EQ(status_of([&] { check_topology(model(), face.rows(), study().triangles); }), Status::ok);
+}
+
+}  // namespace
+}  // namespace mien

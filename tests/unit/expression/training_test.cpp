@@ -1,0 +1,142 @@
+#include "expression/training.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/error.hpp"
+#include "base/thread_pool.hpp"
+#include "expression/neutralize.hpp"
+#include "study.hpp"
+
+namespace mien {
+namespace {
+
+using test::Study;
+
+TrainOptions small_options() {
+    TrainOptions options;
+    options.subspaces.identity_modes = 10;
+    options.subspaces.expression_modes = 8;
+    return options;
+}
+
+TEST(Training, FindsOrthonormalModesThatExplainTheStudy) {
+    const Study study;
+    TrainReport report;
+    const auto model = train_expression_model(study.dataset(0, study.subjects, "ortho"),
+                                              small_options(), Context(), &report);
+    const Matrix p = model->identity_modes.map().cast<double>();
+    const Matrix q = model->expression_modes.map().cast<double>();
+    EXPECT_LT((p.transpose() * p - Matrix::Identity(p.cols(), p.cols())).cwiseAbs().maxCoeff(), 1e-5);
+    EXPECT_LT((q.transpose() * q - Matrix::Identity(q.cols(), q.cols())).cwiseAbs().maxCoeff(), 1e-5);
+    EXPECT_GT(report.identity_explained, 0.98);
+    EXPECT_GT(report.expression_explained, 0.99);
+    for (Index k = 1; k < model->identity_deviations.size(); ++k)
+        EXPECT_LE(model->identity_deviations[k], model->identity_deviations[k - 1] * (1 + 1e-9));
+    EXPECT_EQ(model->components.front().name, "neutral");
+    EXPECT_EQ(model->components.back().name, "any");
+    EXPECT_EQ(model->components.size(), study.names.size() + 1);
+}
+
+TEST(Training, QuasiOrthogonalSubspacesAreMoreOrthogonal) {
+    const Study study;
+    const auto data = study.dataset(0, study.subjects, "quasi");
+    TrainOptions options = small_options();
+    TrainReport joint, quasi;
+    train_expression_model(data, options, Context(), &joint);
+    options.subspaces.method = TrainMethod::quasi_orthogonal;
+    train_expression_model(data, options, Context(), &quasi);
+    const Index last = std::min(joint.orthogonality.size(), quasi.orthogonality.size()) - 1;
+    EXPECT_LT(quasi.orthogonality[last], 0.3 * joint.orthogonality[last]);
+    EXPECT_NEAR(quasi.k, 4.0, 1e-12);
+    EXPECT_TRUE(quasi.converged);
+}
+
+TEST(Training, SameBitsForAnyThreadCount) {
+    const Study study;
+    const auto data = study.dataset(0, study.subjects, "threads");
+    const auto one = train_expression_model(data, small_options(), Context());
+    ThreadPool pool(3);
+    Context context;
+    context.pool = &pool;
+    const auto three = train_expression_model(data, small_options(), context);
+    EXPECT_TRUE(one->identity_modes.map() == three->identity_modes.map());
+    EXPECT_TRUE(one->expression_modes.map() == three->expression_modes.map());
+    EXPECT_TRUE(one->gram == three->gram);
+    EXPECT_EQ(one->mixture_noise_mm2, three->mixture_noise_mm2);
+}
+
+TEST(Training, ModelComesBackFromItsFileBitForBit) {
+    const Study study;
+    const auto model =
+        train_expression_model(study.dataset(0, study.subjects, "save"), small_options(), Context());
+    const std::string path = Study::path("model");
+    save_expression_model(path, *model, Context());
+    const auto loaded = load_expression_model(path, {}, Context());
+    EXPECT_TRUE(model->mean == loaded->mean);
+    EXPECT_TRUE(model->triangles == loaded->triangles);
+    EXPECT_EQ(loaded->info.at("method"), "jpca");
+    const Points face = study.face(101, 2);
+    NeutralizeOptions options;
+    EXPECT_TRUE(neutralize(Context(), *model, face, Vector(), options).neutral_vertices ==
+                neutralize(Context(), *loaded, face, Vector(), options).neutral_vertices);
+    std::remove(path.c_str());
+}
+
+TEST(Training, RefusesDataWithoutNeutralFaces) {
+    Study study;
+    study.names[0] = "rest";
+    try {
+        train_expression_model(study.dataset(0, 4, "rest"), small_options(), Context());
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.status(), Status::invalid_argument);
+        EXPECT_NE(std::string(error.what()).find("neutral"), std::string::npos);
+    }
+}
+
+TEST(Training, SkipsFacesWhoseSubjectHasNoNeutralAndTakesMissingExpressions) {
+    const Study study;
+    FaceDatasetWriter writer(study.triangles, study.rest.rows(), study.names);
+    for (int subject = 0; subject < 12; ++subject)
+        for (int expression = 0; expression < 5; ++expression) {
+            if (subject == 3 && expression == 0) continue;   // no neutral: 4 faces skipped
+            if (subject == 5 && expression == 2) continue;   // missing expression
+            writer.add(study.face(subject, expression), subject, expression);
+            if (subject == 7) writer.add(study.face(subject, expression, 1), subject, expression);
+        }
+    TrainReport report;
+    train_expression_model(Study::written(writer, "missing"), small_options(), Context(), &report);
+    EXPECT_EQ(report.subjects, 11);
+    EXPECT_EQ(report.skipped_faces, 4);
+    EXPECT_EQ(report.faces, 11 + 11 * 4 - 1 + 4);
+}
+
+TEST(Training, CanBeCancelled) {
+    const Study study;
+    const auto data = study.dataset(0, 6, "cancel");
+    Context context;
+    context.progress_function = [](void*, std::int32_t, double fraction) -> std::int32_t {
+        return fraction > 0.3;
+    };
+    try {
+        train_expression_model(data, small_options(), context);
+        FAIL() << "not cancelled";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.status(), Status::cancelled);
+    }
+}
+
+TEST(Training, HonoursTheMemoryBudget) {
+    const Study study;
+    Context context;
+    context.max_bytes = 1000;
+    try {
+        train_expression_model(study.dataset(0, 6, "budget"), small_options(), context);
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.status(), Status::memory_budget);
+    }
+}
+
+}  // namespace
+}  // namespace mien
