@@ -14,6 +14,10 @@ namespace mien {
 /// allocation (counts are held against the file's size first).
 TriMesh read_mesh_file(const std::string& path, const Context& context);
 
+/// The same from memory; `extension` without its dot tells the format.
+TriMesh read_mesh_memory(const void* data, std::size_t size, const std::string& extension,
+                         const Context& context);
+
 /// Writes atomically (temporary file beside the target, then renamed). PLY binary little endian
 /// float32 with colours, OBJ with 9 significant digits (colours after the position, texture
 /// coordinates), STL binary, OFF.

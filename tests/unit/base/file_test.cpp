@@ -1,0 +1,155 @@
+#include "base/file.hpp"
+
+#include <gtest/gtest.h>
+#if !defined(_WIN32)
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <csignal>
+#endif
+
+#include "base/error.hpp"
+#include "unit/scratch.hpp"
+
+namespace {
+
+using namespace mien;
+using mien::testing::read_bytes;
+using mien::testing::ScratchFolder;
+using mien::testing::write_bytes;
+
+template <typename Call>
+Status status_of(Call&& call) {
+    try {
+        call();
+        return Status::ok;
+    } catch (const Error& error) {
+        return error.status();
+    }
+}
+
+TEST(File, MappingAndReadingGiveTheSameBytes) {
+    ScratchFolder folder;
+    const std::string path = folder / "\xc3\xa9t\xc3\xa9.bin";
+    write_bytes(path, std::string("a\0b", 3));
+    const FileBytes mapped = map_file(path), whole = read_whole_file(path, Context());
+    EXPECT_EQ(std::string(mapped.data, mapped.size), std::string("a\0b", 3));
+    EXPECT_EQ(std::string(whole.data, whole.size), std::string("a\0b", 3));
+}
+
+TEST(File, AnEmptyFileHasNoBytes) {
+    ScratchFolder folder;
+    write_bytes(folder / "empty", "");
+    EXPECT_EQ(map_file(folder / "empty").size, 0u);
+    EXPECT_EQ(read_whole_file(folder / "empty", Context()).size, 0u);
+}
+
+TEST(File, WhatIsNoRegularFileIsRefusedAtOnce) {
+    ScratchFolder folder;
+    EXPECT_EQ(status_of([&] { map_file(folder / "nothing"); }), Status::io);
+    EXPECT_EQ(status_of([&] { map_file(folder / "."); }), Status::io);
+    EXPECT_EQ(status_of([&] { map_file(""); }), Status::invalid_argument);
+    EXPECT_EQ(status_of([&] { map_file(std::string("a\0b", 3)); }), Status::invalid_argument);
+    EXPECT_EQ(status_of([&] { map_file(std::string(100000, 'a')); }), Status::io);
+#if !defined(_WIN32)
+    ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
+    EXPECT_EQ(status_of([&] { map_file(folder / "pipe"); }), Status::io);
+    EXPECT_EQ(status_of([&] { read_whole_file("/dev/zero", Context()); }), Status::io);
+#endif
+}
+
+TEST(File, ReadingKeepsToTheMemoryBudget) {
+    ScratchFolder folder;
+    write_bytes(folder / "f", std::string(1000, 'x'));
+    Context context;
+    context.max_bytes = 999;
+    EXPECT_EQ(status_of([&] { read_whole_file(folder / "f", context); }), Status::memory_budget);
+}
+
+TEST(AtomicFile, TakesTheTargetsPlaceOnlyWhenCommitted) {
+    ScratchFolder folder;
+    const std::string path = folder / "model.bin";
+    write_bytes(path, "old");
+    {
+        AtomicFile file(path);
+        file.write("half a new o");
+        EXPECT_EQ(read_bytes(path), "old");
+    }
+    EXPECT_EQ(read_bytes(path), "old");
+    EXPECT_EQ(folder.num_entries(), 1u);
+    AtomicFile file(path);
+    const std::string large(3000000, 'n');
+    file.write("new");
+    file.write(large);
+    file.write("end");
+    file.commit();
+    EXPECT_EQ(read_bytes(path), "new" + large + "end");
+    EXPECT_EQ(folder.num_entries(), 1u);
+}
+
+TEST(AtomicFile, RefusesTargetsThatCannotBeFiles) {
+    ScratchFolder folder;
+    std::filesystem::create_directory(folder / "sub");
+    EXPECT_EQ(status_of([&] { AtomicFile file(folder / "sub"); }), Status::io);
+    EXPECT_EQ(status_of([&] { AtomicFile file(folder / "missing/file"); }), Status::io);
+    EXPECT_EQ(status_of([&] { AtomicFile file(""); }), Status::invalid_argument);
+#if !defined(_WIN32)
+    EXPECT_EQ(status_of([&] { AtomicFile file("/dev/null"); }), Status::io);
+    write_bytes(folder / "plain", "x");
+    EXPECT_EQ(status_of([&] { AtomicFile file(folder / "plain/file"); }), Status::io);
+    EXPECT_EQ(read_bytes(folder / "plain"), "x");
+#endif
+    EXPECT_EQ(folder.num_entries(), 1u + (std::filesystem::exists(folder / "plain") ? 1u : 0u));
+}
+
+#if !defined(_WIN32)
+
+// The file size limit stands in for a full disk: both make write() fail after some bytes.
+TEST(AtomicFile, AFullDiskLeavesTheOldFileWhole) {
+    ScratchFolder folder;
+    const std::string path = folder / "model.bin";
+    write_bytes(path, "old");
+    struct rlimit before;
+    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+    struct rlimit small = before;
+    small.rlim_cur = 1 << 20;
+    void (*handler)(int) = std::signal(SIGXFSZ, SIG_IGN);
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+    const Status status = status_of([&] {
+        AtomicFile file(path);
+        file.write(std::string(3 << 20, 'n'));
+        file.commit();
+    });
+    setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, handler);
+    EXPECT_EQ(status, Status::io);
+    EXPECT_EQ(read_bytes(path), "old");
+    EXPECT_EQ(folder.num_entries(), 1u);
+}
+
+TEST(AtomicFile, KeepsPermissionsAndFollowsLinks) {
+    ScratchFolder folder;
+    write_bytes(folder / "real", "old");
+    ASSERT_EQ(chmod((folder / "real").c_str(), 0640), 0);
+    ASSERT_EQ(symlink("real", (folder / "link").c_str()), 0);
+    AtomicFile file(folder / "link");
+    file.write("new");
+    file.commit();
+    EXPECT_EQ(read_bytes(folder / "real"), "new");
+    EXPECT_TRUE(std::filesystem::is_symlink(folder / "link"));
+    struct stat info;
+    ASSERT_EQ(stat((folder / "real").c_str(), &info), 0);
+    EXPECT_EQ(info.st_mode & 0777, 0640u);
+}
+
+#endif
+
+TEST(File, LongPathsKeepTheirEndInMessages) {
+    const std::string shown = shown_path(std::string(300, 'd') + "/scan.ply");
+    EXPECT_LE(shown.size(), 120u);
+    EXPECT_NE(shown.find("/scan.ply"), std::string::npos);
+    EXPECT_EQ(shown_path("a\nb"), "a?b");
+}
+
+}  // namespace
