@@ -1,0 +1,62 @@
+// From a raw scan to the template on it: start, correspondence, weighted solve, grown mode by mode
+// and sharpened noise level by noise level (non-rigid ICP, 2.5), then what is left of the gap.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/context.hpp"
+#include "mesh/tri_mesh.hpp"
+#include "model/deformation_model.hpp"
+#include "registration/correspondence.hpp"
+
+namespace mien {
+
+enum class ModeGrowth { constant, linear, exponential, cubic };
+
+struct RegistrationOptions {
+    // Prior
+    ModeGrowth growth = ModeGrowth::exponential;
+    Index max_scalar_modes = -1;     ///< -1: all of the model's (three deformation modes each)
+    Index max_pca_modes = -1;        ///< -1: all of the model's
+    double kernel_amplitude = 0;     ///< factor on the kernel's standard deviation; 0: chosen by itself
+    double pca_amplitude = 1;
+    // Data
+    double landmark_sigma_mm = 1.5;  ///< picking error per axis
+    double sigma_start_mm = 3;       ///< noise level of a surface hit, first ...
+    double sigma_end_mm = 0.5;       ///< ... and last
+    double robust_factor = 2;        ///< robust scale in noise levels
+    double tangential = 0.1;         ///< weight of sliding along the surface against leaving it; 1: point to point
+    double data_weight = 0.3;        ///< independent hits per vertex (neighbours' errors are alike)
+    CorrespondenceOptions correspondence;
+    // Loop
+    int iterations = 20;
+    double stop_movement_mm = 0.01;  ///< mean movement below which the last noise level ends
+    bool estimate_motion = true;
+    bool estimate_scale = true;
+    // Rest
+    bool close_gap = true;           ///< smooth residual field along the normals
+    double normal_smoothing_mm = 2;
+};
+
+struct RegistrationResult {
+    TriMesh fitted;                  ///< template topology, scan frame, mm
+    Vector residual_mm;              ///< #V signed distance to the scan along the normal, NaN-free
+    Vector weight;                   ///< #V in [0, 1]: how much of the scan's say counted
+    Vector confidence_mm;            ///< #V standard deviation of the place
+    std::vector<SurfaceHit> correspondence;  ///< #V, on the scan
+    std::vector<double> energy;      ///< one per iteration
+    Similarity start, motion;        ///< template -> scan, before and after
+    int iterations = 0;
+    double sigma_mm = 0;             ///< last noise level
+    std::vector<std::string> unknown_landmarks;  ///< names the model does not have
+};
+
+/// Fits the model to `scan` (mm). Landmarks are matched by name; at least three must match. Throws
+/// Status::invalid_argument for settings out of range, invalid_mesh, not_found when too few landmarks
+/// match, no_solution when the fit has nothing to hold on to.
+RegistrationResult register_scan(const DeformationModel& model, const TriMesh& scan,
+                                 const std::vector<LandmarkPoint>& landmarks,
+                                 const RegistrationOptions& options, const Context& context);
+
+}  // namespace mien

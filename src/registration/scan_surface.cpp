@@ -1,0 +1,100 @@
+#include "registration/scan_surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.hpp"
+#include "geometry/normals.hpp"
+
+namespace mien {
+namespace {
+
+// Border vertices: ends of edges that one triangle alone uses. Edges are found per lower vertex in
+// a compressed list, because a scan's edges may be used by any number of triangles.
+std::vector<std::uint8_t> find_border(Index num_vertices, const Triangles& triangles) {
+    const std::size_t n = static_cast<std::size_t>(num_vertices);
+    std::vector<std::uint32_t> begin(n + 1, 0), other(static_cast<std::size_t>(3 * triangles.rows()));
+    for (Index t = 0; t < triangles.rows(); ++t)
+        for (int k = 0; k < 3; ++k)
+            ++begin[std::min(triangles(t, k), triangles(t, (k + 1) % 3)) + 1];
+    for (std::size_t i = 0; i < n; ++i) begin[i + 1] += begin[i];
+    std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
+    for (Index t = 0; t < triangles.rows(); ++t)
+        for (int k = 0; k < 3; ++k) {
+            const std::uint32_t a = triangles(t, k), b = triangles(t, (k + 1) % 3);
+            other[next[std::min(a, b)]++] = std::max(a, b);
+        }
+    std::vector<std::uint8_t> border(n, 0);
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::uint32_t e = begin[i]; e < begin[i + 1]; ++e) {
+            std::size_t uses = 0;
+            for (std::uint32_t f = begin[i]; f < begin[i + 1]; ++f) uses += other[f] == other[e];
+            if (uses == 1) border[i] = border[other[e]] = 1;
+        }
+    return border;
+}
+
+}  // namespace
+
+Vector3 ScanSurface::normal_at(const SurfaceHit& hit) const {
+    if (tree.is_point_cloud()) return normals.row(static_cast<Index>(hit.triangle)).transpose();
+    Vector3 normal = Vector3::Zero();
+    for (int k = 0; k < 3; ++k)
+        normal += hit.barycentric[k] *
+                  normals.row(static_cast<Index>(triangles(static_cast<Index>(hit.triangle), k))).transpose();
+    const double length = normal.norm();
+    return length > 1e-12 ? Vector3(normal / length) : Vector3(Vector3::Zero());
+}
+
+bool ScanSurface::at_border(const SurfaceHit& hit) const {
+    if (tree.is_point_cloud()) return false;
+    // A place strictly inside a triangle is off the border, even when two of its corners are on it.
+    bool inside = true, all_border = true;
+    for (int k = 0; k < 3; ++k) {
+        if (hit.barycentric[k] > 1e-9)
+            all_border = all_border &&
+                         on_border[triangles(static_cast<Index>(hit.triangle), k)] != 0;
+        else
+            inside = false;
+    }
+    return !inside && all_border;
+}
+
+ScanSurface prepare_scan(const TriMesh& mesh, double smoothing_mm, const Context& context) {
+    ScanSurface scan;
+    scan.vertices = mesh.vertices;
+    scan.triangles = mesh.triangles;
+    scan.tree = TriangleTree(scan.vertices, scan.triangles, context);
+    scan.on_border = find_border(scan.vertices.rows(), scan.triangles);
+    scan.normals = vertex_normals(scan.vertices, scan.triangles);
+
+    const Index num_triangles = scan.triangles.rows();
+    double total = 0;
+    for (Index t = 0; t < num_triangles; ++t)
+        total += (scan.vertices.row(scan.triangles(t, 0)) - scan.vertices.row(scan.triangles(t, 1))).norm();
+    scan.spacing_mm = num_triangles > 0 ? total / static_cast<double>(num_triangles) : 0;
+
+    // k rounds of averaging over the triangles spread a normal over about sqrt(k) edge lengths.
+    if (scan.spacing_mm > 0 && smoothing_mm > 0) {
+        const double ratio = smoothing_mm / scan.spacing_mm;
+        const int rounds = static_cast<int>(std::min(16.0, std::ceil(ratio * ratio)));
+        Points sum(scan.normals.rows(), 3);
+        for (int round = 0; round < rounds; ++round) {
+            context.check_cancelled();
+            sum.setZero();
+            for (Index t = 0; t < num_triangles; ++t) {
+                const Eigen::RowVector3d mean = scan.normals.row(scan.triangles(t, 0)) +
+                                                scan.normals.row(scan.triangles(t, 1)) +
+                                                scan.normals.row(scan.triangles(t, 2));
+                for (int k = 0; k < 3; ++k) sum.row(scan.triangles(t, k)) += mean;
+            }
+            for (Index i = 0; i < sum.rows(); ++i) {
+                const double length = sum.row(i).norm();
+                if (length > 1e-12) scan.normals.row(i) = sum.row(i) / length;
+            }
+        }
+    }
+    return scan;
+}
+
+}  // namespace mien
