@@ -106,8 +106,9 @@ void gather(const TriMesh& raw, const std::vector<std::array<std::uint32_t, 3>>&
     const Index num_vertices = static_cast<Index>(cleaned.vertex_to_old.size());
     const Index num_triangles = static_cast<Index>(cleaned.triangle_to_old.size());
     const bool colors = raw.colors.rows() == raw.vertices.rows();
-    const bool texture =
-        raw.texture_triangles.rows() == raw.triangles.rows() && raw.texture_triangles.rows() != 0;
+    const bool texture = raw.texture_triangles.rows() == raw.triangles.rows() &&
+                         raw.texture.rows() != 0 && raw.texture_triangles.size() != 0 &&
+                         static_cast<Index>(raw.texture_triangles.maxCoeff()) < raw.texture.rows();
     TriMesh& mesh = cleaned.mesh;
     mesh.vertices.resize(num_vertices, 3);
     if (colors) mesh.colors.resize(num_vertices, 3);
