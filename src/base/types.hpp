@@ -31,6 +31,8 @@ struct Similarity {
     double scale = 1.0;
 
     Vector3 apply(const Vector3& point) const { return scale * (rotation * point) + translation; }
+    // Exactly Points: an Eigen matrix of any shape would convert to Vector3 as readily as to a Ref.
+    Points apply(const Points& points) const { return apply(PointsRef(points)); }
     Points apply(const PointsRef& points) const {
         Points moved = (scale * points * rotation.transpose()).rowwise() + translation.transpose();
         return moved;

@@ -258,7 +258,7 @@ EigenPairs dense_pairs(const LaplaceOperator& laplace, Index k) {
     return pairs;
 }
 
-/// The pairs above the null space, ascending: `wanted` of them, in factor order and M^-1/2 units.
+/// Fills the columns of `pairs` behind the null space, in factor order, as vectors of A.
 void sliced_pairs(const Problem& problem, Index k, EigenPairs& pairs, const Context& context) {
     const Index n = problem.a.rows(), kernel = problem.kernel.num_components;
     std::vector<Shift> shifts = place_shifts(problem, k, context);
@@ -285,9 +285,8 @@ void sliced_pairs(const Problem& problem, Index k, EigenPairs& pairs, const Cont
     });
 
     std::vector<Share> shares(num_slices);
-    for (std::size_t i = 0; i < num_slices; ++i) {
-        shares[i].end = shares[i].end == 0 ? slices[i].values.size() : shares[i].end;
-        if (i + 1 == num_slices) break;
+    for (std::size_t i = 0; i < num_slices; ++i) shares[i].end = slices[i].values.size();
+    for (std::size_t i = 0; i + 1 < num_slices; ++i) {
         // Pairs between the two shifts by their number: 0 .. between - 1.
         const Index between = shifts[i + 1].count - shifts[i].count;
         const Index from_left = above[i], from_right = below[i + 1];
