@@ -36,7 +36,7 @@ Index scalar_modes(const ModelOptions& options, const TriMesh& mesh) {
 }
 
 void check_options(const ModelOptions& options, const TriMesh& mesh) {
-    check_kernels(options.kernels);
+    if (!options.kernels.empty() || options.pca_faces == nullptr) check_kernels(options.kernels);
     const Vector& scale = options.scale_per_vertex;
     if (scale.size() != 0 && scale.size() != mesh.vertices.rows())
         fail(Status::mismatch, "%lld vertex scales for a template of %lld vertices",
@@ -111,25 +111,14 @@ void describe(const ModelOptions& options, const LowRankReport& report, Deformat
     info["heat_boundary"] = std::to_string(static_cast<int>(options.heat.boundary));
 }
 
-}  // namespace
-
-std::string info_number(double value) {
-    char text[40];
-    const auto end = std::to_chars(text, text + sizeof text, value).ptr;
-    return std::string(text, end);
-}
-
-BuiltModel build_deformation_model(const TriMesh& template_mesh,
-                                   const std::vector<Landmark>& landmarks,
-                                   const std::vector<Zone>& zones, const ModelOptions& options,
-                                   const Context& context) {
-    check_mesh(template_mesh, "the template");
-    check_names(template_mesh, landmarks, zones);
-    check_options(options, template_mesh);
+/// The kernel's part of a model: basis, eigenvalues, prior variances.
+LowRankReport build_basis(const TriMesh& mesh, const ModelOptions& options, const Context& context,
+                          Storage& storage, DeformationModel& model) {
     RankOptions rank;
-    rank.num_modes = scalar_modes(options, template_mesh);
+    rank.num_modes = scalar_modes(options, mesh);
     rank.tolerance = options.tolerance;
-    const Index n = template_mesh.vertices.rows();
+    rank.threshold = options.eigenvalue_threshold;
+    const Index n = mesh.vertices.rows();
     const Index wanted = options.num_control_points != 0
                              ? options.num_control_points
                              : std::max(kControlPoints, 3 * rank.num_modes);
@@ -139,11 +128,10 @@ BuiltModel build_deformation_model(const TriMesh& template_mesh,
 
     const bool spectral = spectral_only(options.kernels);
     std::vector<std::uint32_t> control;
-    if (!spectral) control = farthest_points(template_mesh.vertices, template_mesh.triangles, num_control);
+    if (!spectral) control = farthest_points(mesh.vertices, mesh.triangles, num_control);
     // A few more pairs than modes: the scale per vertex and the count of vertices reorder them.
     const Index num_pairs = rank.num_modes + rank.num_modes / 4 + 1;
-    const KernelBlocks blocks(template_mesh, control, options.kernels, num_pairs, options.heat,
-                              context);
+    const KernelBlocks blocks(mesh, control, options.kernels, num_pairs, options.heat, context);
     context.progress(Stage::basis, 0);
     Vector diagonal = blocks.diagonal(options.kernels);
     add_spectral_tail(blocks, options.kernels, diagonal);
@@ -161,29 +149,64 @@ BuiltModel build_deformation_model(const TriMesh& template_mesh,
     }
 
     LowRankBasis low_rank;
-    auto model = std::make_shared<DeformationModel>();
     if (options.mirror_symmetric) {
-        low_rank = mirrored_basis(factor, diagonal, mirror_map(template_mesh), rank, context);
-        model->prior_variance = mirrored_prior_variance(low_rank.parity, options.mirror_correlation);
+        low_rank = mirrored_basis(factor, diagonal, mirror_map(mesh), rank, context);
+        model.prior_variance = mirrored_prior_variance(low_rank.parity, options.mirror_correlation);
     } else {
         low_rank = principal_basis(factor, diagonal, rank, context);
     }
-    low_rank.report.num_control_points = report.num_control_points;
-    low_rank.report.negative_mass = report.negative_mass;
-    low_rank.report.num_negative = report.num_negative;
-    low_rank.report.smallest_eigenvalue = report.smallest_eigenvalue;
+    report.rank = low_rank.report.rank;
+    report.variance_explained = low_rank.report.variance_explained;
+    report.max_variance_error = low_rank.report.max_variance_error;
+    storage.basis = std::move(low_rank.basis);
+    model.eigenvalues = low_rank.eigenvalues;
+    return report;
+}
 
+}  // namespace
+
+std::string info_number(double value) {
+    char text[40];
+    const auto end = std::to_chars(text, text + sizeof text, value).ptr;
+    return std::string(text, end);
+}
+
+BuiltModel build_deformation_model(const TriMesh& template_mesh,
+                                   const std::vector<Landmark>& landmarks,
+                                   const std::vector<Zone>& zones, const ModelOptions& options,
+                                   const Context& context) {
+    check_mesh(template_mesh, "the template");
+    check_names(template_mesh, landmarks, zones);
+    check_options(options, template_mesh);
+    const Index n = template_mesh.vertices.rows();
     auto storage = std::make_shared<Storage>();
-    storage->basis = std::move(low_rank.basis);
+    auto model = std::make_shared<DeformationModel>();
+    LowRankReport report;
+    if (options.pca_faces != nullptr) {
+        PointDistribution faces =
+            train_point_distribution(*options.pca_faces, template_mesh, options.pca, context);
+        model->mean_displacement = std::move(faces.mean);
+        storage->pca_modes = std::move(faces.modes);
+        auto& info = model->info;
+        info["pca_modes"] = std::to_string(faces.variances.size());
+        info["pca_faces"] = std::to_string(faces.num_faces);
+        info["pca_vertices"] = std::to_string(faces.num_vertices);
+        info["pca_variance_explained"] = info_number(faces.variance_explained);
+    }
+    if (!options.kernels.empty()) {
+        report = build_basis(template_mesh, options, context, *storage, *model);
+        describe(options, report, *model);
+    } else {
+        storage->basis.resize(n, 0);
+        model->info["kernel"] = "none";
+    }
     model->template_mesh = template_mesh;
     model->landmarks = landmarks;
     model->zones = zones;
-    model->basis = {storage->basis.data(), storage->basis.rows(), storage->basis.cols()};
-    model->eigenvalues = low_rank.eigenvalues;
-    model->pca_modes = {nullptr, 3 * n, 0};
+    model->basis = {storage->basis.data(), n, storage->basis.cols()};
+    model->pca_modes = {storage->pca_modes.data(), 3 * n, storage->pca_modes.cols()};
     model->storage = storage;
-    describe(options, low_rank.report, *model);
-    return {model, low_rank.report};
+    return {model, report};
 }
 
 }  // namespace mien

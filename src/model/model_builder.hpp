@@ -9,14 +9,20 @@
 #include "model/deformation_model.hpp"
 #include "model/kernel.hpp"
 #include "model/low_rank.hpp"
+#include "model/point_distribution.hpp"
 
 namespace mien {
 
 struct ModelOptions {
-    std::vector<KernelTerm> kernels{KernelTerm{}};  ///< summed
+    std::vector<KernelTerm> kernels{KernelTerm{}};  ///< summed; may be empty beside pca_faces
+    /// Borrowed, or null: registered faces for a mean and principal modes on top of the kernel, whose
+    /// scale_mm is then the deviation of what the faces do not explain. Without kernels: those alone.
+    const FaceDataset* pca_faces = nullptr;
+    PcaOptions pca;
     Index num_modes = 999;         ///< deformation modes at most; 3 make one scalar mode
     double tolerance = 0;          ///< > 0: stop when this share of the variance is left
     Index num_control_points = 0;  ///< 0: max(1000, num_modes), never more than #V
+    double eigenvalue_threshold = 1e-4;  ///< of the kernel's block among the control points, relative
     Vector scale_per_vertex;       ///< empty, or #V factors >= 0 of the displacement's deviation
     bool mirror_symmetric = false; ///< modes purely even or odd about the plane x = 0
     double mirror_correlation = 0; ///< 0 .. 1: how much both sides are expected to move alike
@@ -31,7 +37,7 @@ struct BuiltModel {
 /// Deterministic: same inputs, same bits, for any thread count. Throws Status::invalid_mesh for a
 /// template without vertices or (surface kernels) triangles, invalid_argument for options out of
 /// range and for landmarks or zones that name vertices the template has not. Progress stages:
-/// geodesics, basis. Memory about 20 bytes x #V x control points.
+/// training, geodesics, basis. Memory about 20 bytes x #V x control points.
 BuiltModel build_deformation_model(const TriMesh& template_mesh,
                                    const std::vector<Landmark>& landmarks,
                                    const std::vector<Zone>& zones, const ModelOptions& options,

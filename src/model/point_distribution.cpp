@@ -1,0 +1,201 @@
+#include "model/point_distribution.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "base/dense.hpp"
+#include "base/error.hpp"
+#include "geometry/alignment.hpp"
+#include "geometry/laplacian.hpp"
+
+namespace mien {
+namespace {
+
+/// Coordinates of all faces that are held at once, as a slice of rows.
+constexpr Index kSliceRows = 3 * 2048;
+
+void check(const PcaOptions& options) {
+    if (options.num_modes < 0)
+        fail(Status::invalid_argument, "a negative number of principal modes");
+    if (options.num_modes == 0 && !(options.variance > 0 && options.variance <= 1))
+        fail(Status::invalid_argument, "variance share %g is outside 0 .. 1", options.variance);
+    if (!(options.extension_mm > 0) || !std::isfinite(options.extension_mm))
+        fail(Status::invalid_argument, "extension length %g mm must be positive",
+             options.extension_mm);
+}
+
+void check_correspondence(const FaceDataset& faces, const TriMesh& mesh) {
+    if (faces.num_vertices() > mesh.vertices.rows())
+        fail(Status::mismatch, "the dataset's faces have %lld vertices, the template %lld",
+             static_cast<long long>(faces.num_vertices()),
+             static_cast<long long>(mesh.vertices.rows()));
+    const auto sorted = [](const Triangles& triangles) {
+        std::vector<std::array<std::uint32_t, 3>> keys(static_cast<std::size_t>(triangles.rows()));
+        for (std::size_t t = 0; t < keys.size(); ++t) {
+            for (int k = 0; k < 3; ++k) keys[t][static_cast<std::size_t>(k)] = triangles(static_cast<Index>(t), k);
+            std::sort(keys[t].begin(), keys[t].end());
+        }
+        std::sort(keys.begin(), keys.end());
+        return keys;
+    };
+    const auto wanted = sorted(faces.triangles()), known = sorted(mesh.triangles);
+    if (!std::includes(known.begin(), known.end(), wanted.begin(), wanted.end()))
+        fail(Status::mismatch,
+             "the dataset's triangles are not the template's; register the faces with this template");
+}
+
+/// Rigid motions of the chosen faces onto the template, or identities.
+std::vector<Similarity> motions(const FaceDataset& faces, const std::vector<Index>& chosen,
+                                const TriMesh& mesh, bool align, const Context& context) {
+    std::vector<Similarity> result(chosen.size());
+    if (!align) return result;
+    const Points target = mesh.vertices.topRows(faces.num_vertices());
+    Points face;
+    for (std::size_t k = 0; k < chosen.size(); ++k) {
+        context.check_cancelled();
+        faces.face(chosen[k], face);
+        result[k] = align_points(face, target, Vector(), false);
+    }
+    return result;
+}
+
+}  // namespace
+
+Matrix extend_smoothly(const TriMesh& mesh, const Matrix& known, double length_mm,
+                       const Context& context) {
+    const Index n = mesh.vertices.rows(), have = known.rows();
+    Matrix all = Matrix::Zero(n, known.cols());
+    all.topRows(have) = known;
+    if (have == n) return all;
+    const LaplaceOperator laplace =
+        build_laplacian(mesh.vertices, mesh.triangles, LaplacianOptions{});
+    context.check_cancelled();
+    const Index missing = n - have;
+    const SparseMatrix scaled = laplace.mass.cwiseInverse().asDiagonal() * laplace.stiffness;
+    SparseMatrix energy = laplace.stiffness.transpose() * scaled;
+    energy += laplace.stiffness / (length_mm * length_mm);
+    SparseMatrix inner = energy.block(have, have, missing, missing);
+    // Holds pieces that touch no known vertex at zero; far too little to be seen elsewhere.
+    const double hold = 1e-9 * inner.diagonal().mean();
+    for (Index v = 0; v < missing; ++v) inner.coeffRef(v, v) += hold;
+    const SparseMatrix coupling = energy.block(have, 0, missing, have);
+    Eigen::SimplicialLDLT<SparseMatrix> solver(inner);
+    if (solver.info() != Eigen::Success)
+        fail(Status::no_solution, "the modes cannot be continued over the template's other vertices");
+    const Matrix right = -(coupling * known);
+    all.bottomRows(missing) = solver.solve(right);
+    if (!all.allFinite())
+        fail(Status::no_solution, "the modes cannot be continued over the template's other vertices");
+    return all;
+}
+
+PointDistribution train_point_distribution(const FaceDataset& faces, const TriMesh& template_mesh,
+                                           const PcaOptions& options, const Context& context) {
+    check(options);
+    check_mesh(template_mesh, "the template");
+    check_correspondence(faces, template_mesh);
+    std::vector<Index> chosen;
+    for (Index k = 0; k < faces.num_faces(); ++k)
+        if (options.all_expressions || faces.expression(k) == faces.neutral_expression())
+            chosen.push_back(k);
+    const Index s = static_cast<Index>(chosen.size());
+    if (s < 2)
+        fail(Status::invalid_argument,
+             "principal modes need at least two %sfaces, the dataset has %lld",
+             options.all_expressions ? "" : "neutral ", static_cast<long long>(s));
+    const Index nd = faces.num_vertices(), rows = 3 * nd;
+    context.require_memory(static_cast<std::size_t>(s) * static_cast<std::size_t>(3 * s + kSliceRows) * 8,
+                           "principal modes of the faces");
+    const std::vector<Similarity> motion =
+        motions(faces, chosen, template_mesh, options.align, context);
+
+    // A slice holds some vertices of all faces, less the template and the mean.
+    Vector mean = Vector::Zero(rows);
+    Points face;
+    for (std::size_t k = 0; k < chosen.size(); ++k) {
+        context.progress(Stage::training, 0.2 * static_cast<double>(k) / static_cast<double>(s));
+        faces.face(chosen[k], face);
+        if (options.align) face = motion[k].apply(face);
+        for (Index v = 0; v < nd; ++v)
+            for (int c = 0; c < 3; ++c)
+                mean[3 * v + c] += (face(v, c) - template_mesh.vertices(v, c)) / static_cast<double>(s);
+    }
+    if (!mean.allFinite())
+        fail(Status::corrupt, "the dataset holds coordinates that are not finite");
+    const auto slice = [&](Index first, Index count) {
+        Matrix values(count, s);
+        Points all;
+        for (Index k = 0; k < s; ++k) {
+            faces.face(chosen[static_cast<std::size_t>(k)], all);
+            if (options.align) all = motion[static_cast<std::size_t>(k)].apply(all);
+            for (Index i = 0; i < count; ++i) {
+                const Index v = (first + i) / 3, c = (first + i) % 3;
+                values(i, k) = all(v, c) - template_mesh.vertices(v, c) - mean[first + i];
+            }
+        }
+        return values;
+    };
+    Matrix gram = Matrix::Zero(s, s), part(s, s);
+    for (Index first = 0; first < rows; first += kSliceRows) {
+        context.progress(Stage::training,
+                         0.2 + 0.4 * static_cast<double>(first) / static_cast<double>(rows));
+        dense::weighted_gram(context, slice(first, std::min(kSliceRows, rows - first)), Vector(), part);
+        gram += part;
+    }
+    gram /= static_cast<double>(s - 1);
+    const Eigen::SelfAdjointEigenSolver<Matrix> solver(gram);
+    if (solver.info() != Eigen::Success || !solver.eigenvalues().allFinite())
+        fail(Status::no_solution, "the principal modes of the faces did not converge");
+    const Vector variances = solver.eigenvalues().reverse().cwiseMax(0.0);
+    const double total = variances.sum();
+    if (!(total > 0)) fail(Status::invalid_argument, "all faces of the dataset are the same");
+    Index p = 0;
+    double kept = 0;
+    const Index most = options.num_modes > 0 ? std::min(options.num_modes, s - 1) : s - 1;
+    while (p < most && variances[p] > 1e-12 * variances[0] &&
+           (options.num_modes > 0 || kept < options.variance * total))
+        kept += variances[p++];
+
+    PointDistribution result;
+    result.num_faces = s;
+    result.num_vertices = nd;
+    result.variances = variances.head(p);
+    result.variance_explained = kept / total;
+    // Columns per vertex: x, y, z of the mean, then of every mode, so that one solve extends all.
+    Matrix known(nd, 3 * (p + 1));
+    for (Index v = 0; v < nd; ++v)
+        for (int c = 0; c < 3; ++c) known(v, c) = mean[3 * v + c];
+    const Matrix head = solver.eigenvectors().rowwise().reverse().leftCols(p) /
+                        std::sqrt(static_cast<double>(s - 1));
+    for (Index first = 0; first < rows; first += kSliceRows) {
+        context.progress(Stage::training,
+                         0.6 + 0.4 * static_cast<double>(first) / static_cast<double>(rows));
+        const Index count = std::min(kSliceRows, rows - first);
+        const Matrix modes = slice(first, count) * head;
+        for (Index i = 0; i < count; ++i)
+            for (Index j = 0; j < p; ++j)
+                known((first + i) / 3, 3 * (j + 1) + (first + i) % 3) = modes(i, j);
+    }
+    for (Index j = 0; j < p; ++j) {
+        auto mode = known.middleCols(3 * (j + 1), 3);
+        Index row = 0, column = 0;
+        mode.cwiseAbs().maxCoeff(&row, &column);
+        if (mode(row, column) < 0) mode = -mode;
+    }
+    const Matrix all = extend_smoothly(template_mesh, known, options.extension_mm, context);
+    const Index n = template_mesh.vertices.rows();
+    result.mean = all.leftCols(3);
+    result.modes.resize(3 * n, p);
+    for (Index j = 0; j < p; ++j)
+        for (Index v = 0; v < n; ++v)
+            for (int c = 0; c < 3; ++c)
+                result.modes(3 * v + c, j) = static_cast<float>(all(v, 3 * (j + 1) + c));
+    context.progress(Stage::training, 1);
+    return result;
+}
+
+}  // namespace mien
