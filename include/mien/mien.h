@@ -8,6 +8,8 @@
 #include "config.h"
 #include "dataset.h"
 #include "error.h"
+#include "expression.h"
+#include "measure.h"
 #include "mesh.h"
 #include "session.h"
 

@@ -4,5 +4,7 @@
 #define MIEN_MIEN_HPP
 
 #include "detail/core.hpp"
+#include "detail/expression.hpp"
+#include "detail/measure.hpp"
 
 #endif

@@ -1,7 +1,169 @@
+// mien measure volume|area|distance: two faces in, numbers per zone out, as a table and as JSON.
+#include <cmath>
+#include <cstdio>
+
 #include "commands.hpp"
 
 namespace mien::cli {
+namespace {
 
-void add_measure_commands(CLI::App&) {}
+struct Settings {
+    Common common;
+    std::string before, after, mesh, zones, field_path;
+    double sd_before = 0, sd_after = 0, correlation = 10, bias = 0, limit = 0, max_distance = 0;
+    bool surfaces = false, keep_borders = false, closed = false, close_rims = false;
+};
+
+std::vector<MeasureZone> zones_of(const std::string& path) {
+    std::vector<MeasureZone> zones;
+    if (!path.empty())
+        for (auto& [name, vertices] : read_zones(path)) zones.push_back({name, std::move(vertices)});
+    return zones;
+}
+
+MeasureOptions options_of(const Settings& settings) {
+    MeasureOptions options;
+    options.zones = zones_of(settings.zones);
+    options.correlation_length_mm = settings.correlation;
+    options.common_bias_mm = settings.bias;
+    options.limit_of_detection_ml = settings.limit;
+    options.max_distance_mm = settings.max_distance;
+    options.skip_borders = !settings.keep_borders;
+    options.progress = progress_bar();
+    return options;
+}
+
+/// One value per vertex, one per line: what `mien render --scalar` reads.
+void write_field(const std::string& path, const std::vector<double>& values) {
+    std::string text;
+    char line[40];
+    for (double value : values) {
+        if (std::isfinite(value))
+            std::snprintf(line, sizeof line, "%.9g\n", value);
+        else
+            std::snprintf(line, sizeof line, "nan\n");
+        text += line;
+    }
+    write_file(path, text);
+}
+
+void print_volume_row(const std::string& name, const mien_zone_volume& v) {
+    std::printf("%-16.16s %9.3f %9.3f %9.3f %9.3f", name.c_str(), v.signed_ml, v.positive_ml,
+                v.negative_ml, v.absolute_ml);
+    if (std::isfinite(v.sd_ml)) std::printf("   %8.3f .. %8.3f", v.low95_ml, v.high95_ml);
+    if (v.detected == 0) std::printf("   below the limit of detection");
+    std::printf("\n");
+}
+
+void run_volume(const Settings& settings) {
+    const Session session(settings.common.num_threads);
+    const Mesh before(session, settings.before), after(session, settings.after);
+    MeasureOptions options = options_of(settings);
+    if (settings.sd_before > 0) options.before_sd_mm.assign(before.vertex_count(), settings.sd_before);
+    if (settings.sd_after > 0) options.after_sd_mm.assign(before.vertex_count(), settings.sd_after);
+    const Measurement result = Measurement::volume(session, before, after, options);
+    std::printf("%-16s %9s %9s %9s %9s   mL\n", "zone", "signed", "gained", "lost", "absolute");
+    for (std::size_t z = 0; z < result.zone_count(); ++z)
+        print_volume_row(options.zones[z].name, result.zone_volume(static_cast<std::int32_t>(z)));
+    if (result.zone_count() != 0) print_volume_row("rest", result.zone_volume(MIEN_ZONE_REST));
+    print_volume_row("whole", result.zone_volume(MIEN_ZONE_WHOLE));
+    nlohmann::json report = nlohmann::json::parse(result.json());
+    report["before"] = settings.before;
+    report["after"] = settings.after;
+    write_report(settings.common, report);
+}
+
+void run_distance(const Settings& settings) {
+    const Session session(settings.common.num_threads);
+    const Mesh before(session, settings.before), after(session, settings.after);
+    const MeasureOptions options = options_of(settings);
+    const Measurement result = settings.surfaces
+                                   ? Measurement::surface_distance(session, before, after, options)
+                                   : Measurement::distance(session, before, after, options);
+    std::printf("%-16s %8s %8s %8s %8s %8s %8s   mm\n", "zone", "signed", "absolute", "rms", "median",
+                "95 %", "max");
+    auto row = [&](const std::string& name, std::int32_t zone) {
+        const mien_zone_distance d = result.zone_distance(zone);
+        std::printf("%-16.16s %8.3f %8.3f %8.3f %8.3f %8.3f %8.3f\n", name.c_str(), d.mean_signed_mm,
+                    d.mean_absolute_mm, d.rms_mm, d.median_length_mm, d.p95_length_mm, d.max_length_mm);
+    };
+    for (std::size_t z = 0; z < result.zone_count(); ++z)
+        row(options.zones[z].name, static_cast<std::int32_t>(z));
+    row("whole", MIEN_ZONE_WHOLE);
+    if (!settings.field_path.empty())
+        write_field(settings.field_path, result.field(MIEN_FIELD_SIGNED_DISTANCE_MM));
+    nlohmann::json report = nlohmann::json::parse(result.json());
+    report["before"] = settings.before;
+    report["after"] = settings.after;
+    write_report(settings.common, report);
+}
+
+void run_area(const Settings& settings) {
+    const Session session(settings.common.num_threads);
+    const Mesh mesh(session, settings.mesh);
+    nlohmann::json report{{"mesh", settings.mesh}, {"area_mm2", area_mm2(session, mesh)}};
+    for (const MeasureZone& zone : zones_of(settings.zones)) {
+        const double area = area_mm2(session, mesh, zone);
+        report["zones"].push_back({{"name", zone.name}, {"area_mm2", area}});
+        std::printf("%-16.16s %12.2f mm^2\n", zone.name.c_str(), area);
+    }
+    std::printf("%-16s %12.2f mm^2\n", "whole", report["area_mm2"].get<double>());
+    if (settings.closed || settings.close_rims) {
+        const double volume = closed_volume_ml(session, mesh, settings.close_rims);
+        report["closed_volume_ml"] = volume;
+        std::printf("%-16s %12.4f mL\n", "enclosed", volume);
+    }
+    write_report(settings.common, report);
+}
+
+void add_pair(CLI::App& command, Settings& settings) {
+    command.add_option("--before", settings.before, "first face")->required()->check(CLI::ExistingFile);
+    command.add_option("--after", settings.after, "second face, in the frame of the first")
+        ->required()
+        ->check(CLI::ExistingFile);
+    command.add_option("--zones", settings.zones, "zone file {\"zones\": {name: [vertex, ...]}}")
+        ->check(CLI::ExistingFile);
+}
+
+}  // namespace
+
+void add_measure_commands(CLI::App& app) {
+    CLI::App* measure = app.add_subcommand("measure", "volumes, areas and distances");
+    measure->require_subcommand(1);
+
+    auto settings = std::make_shared<Settings>();
+    CLI::App* volume = measure->add_subcommand("volume", "volume between two faces in correspondence");
+    add_pair(*volume, *settings);
+    volume->add_option("--sd-before", settings->sd_before, "deviation of the first surface, mm");
+    volume->add_option("--sd-after", settings->sd_after, "deviation of the second surface, mm");
+    volume->add_option("--correlation", settings->correlation, "length over which errors go together, mm")
+        ->capture_default_str();
+    volume->add_option("--bias", settings->bias, "error common to all vertices, mm");
+    volume->add_option("--limit-of-detection", settings->limit, "mL; smaller changes are marked");
+    add_common_options(*volume, settings->common);
+    volume->footer("Example: mien measure volume --before before.ply --after after.ply --zones zones.json");
+    volume->callback([settings] { run_volume(*settings); });
+
+    CLI::App* distance = measure->add_subcommand("distance", "distances between two faces");
+    add_pair(*distance, *settings);
+    distance->add_flag("--surfaces", settings->surfaces,
+                       "the faces are not in correspondence: closest place on the second surface");
+    distance->add_option("--max-distance", settings->max_distance, "with --surfaces: ignore farther ones, mm");
+    distance->add_flag("--keep-borders", settings->keep_borders,
+                       "with --surfaces: count places beyond the second surface's border");
+    distance->add_option("--field", settings->field_path, "write the signed distance of each vertex");
+    add_common_options(*distance, settings->common);
+    distance->footer("Example: mien measure distance --before fitted.ply --after scan.ply --surfaces");
+    distance->callback([settings] { run_distance(*settings); });
+
+    CLI::App* area = measure->add_subcommand("area", "surface area, and the volume a mesh encloses");
+    area->add_option("mesh", settings->mesh, "mesh file")->required()->check(CLI::ExistingFile);
+    area->add_option("--zones", settings->zones, "zone file")->check(CLI::ExistingFile);
+    area->add_flag("--closed", settings->closed, "also the enclosed volume; an open mesh is an error");
+    area->add_flag("--close-rims", settings->close_rims, "the same, closing open rims by fans");
+    add_common_options(*area, settings->common);
+    area->footer("Example: mien measure area face.ply --zones zones.json");
+    area->callback([settings] { run_area(*settings); });
+}
 
 }  // namespace mien::cli

@@ -1,0 +1,280 @@
+#include "arrays.hpp"
+#include "guard.hpp"
+#include "measure/area.hpp"
+#include "measure/measurement.hpp"
+#include "mesh.hpp"
+#include "options.hpp"
+#include "session.hpp"
+
+using namespace mien;
+using namespace mien::abi;
+
+struct mien_measurement : Object {
+    static constexpr Tag kTag = Tag::measurement;
+    static constexpr const char* kName = "measurement";
+    explicit mien_measurement(Measurement&& result)
+        : Object(kTag), data(std::move(result)), json(measurement_json(data)) {}
+    const Measurement data;
+    const std::string json;
+};
+
+namespace {
+
+mien_measure_options default_options() {
+    mien_measure_options options{};
+    options.skip_borders = 1;
+    options.correlation_length_mm = 10.0;
+    return options;
+}
+
+mien_measure_options read_measure_options(const mien_measure_options* given) {
+    const mien_measure_options options = read_options(
+        given, default_options(), MIEN_FIRST_SIZE(mien_measure_options, cancel), "options");
+    if (options.skip_borders != 0 && options.skip_borders != 1)
+        fail(Status::unsupported_option, "options.skip_borders is %d, allowed are 0 and 1",
+             options.skip_borders);
+    return options;
+}
+
+Zone read_zone(const mien_measure_zone& zone) {
+    Zone result;
+    result.name = checked_text(zone.name, "a zone's name");
+    if (zone.vertex_count != 0 && zone.vertices == nullptr)
+        fail(Status::invalid_argument, "zone %.60s has no vertices array", result.name.c_str());
+    if (zone.vertex_count > 0xFFFFFFFFu ||
+        reinterpret_cast<std::uintptr_t>(zone.vertices) % alignof(std::uint32_t) != 0)
+        fail(Status::invalid_argument, "zone %.60s: vertex_count is %llu, or vertices is misaligned",
+             result.name.c_str(), static_cast<unsigned long long>(zone.vertex_count));
+    if (zone.vertex_count != 0) result.vertices.assign(zone.vertices, zone.vertices + zone.vertex_count);
+    return result;
+}
+
+std::vector<Zone> read_zones(const mien_measure_options& options) {
+    if (options.zone_count != 0 && options.zones == nullptr)
+        fail(Status::invalid_argument, "options.zones is null, zone_count is not 0");
+    if (options.zone_count > 100000)
+        fail(Status::invalid_argument, "options.zone_count is %llu, at most 100000 are allowed",
+             static_cast<unsigned long long>(options.zone_count));
+    std::vector<Zone> zones;
+    for (std::uint64_t z = 0; z < options.zone_count; ++z) zones.push_back(read_zone(options.zones[z]));
+    return zones;
+}
+
+std::optional<VolumeErrorModel> read_errors(const mien_measure_options& options) {
+    VolumeErrorModel errors;
+    if (options.before_sd.count != 0) errors.sd_before_mm = read_values(options.before_sd, "options.before_sd");
+    if (options.after_sd.count != 0) errors.sd_after_mm = read_values(options.after_sd, "options.after_sd");
+    const double rotation = options.alignment_rotation_sd_rad, shift = options.alignment_translation_sd_mm;
+    if (!(rotation >= 0) || !(shift >= 0))
+        fail(Status::invalid_argument, "the alignment's deviations are %g rad and %g mm; give zero or more",
+             rotation, shift);
+    errors.alignment_covariance.diagonal().head<3>().setConstant(rotation * rotation);
+    errors.alignment_covariance.diagonal().tail<3>().setConstant(shift * shift);
+    errors.alignment_centre =
+        Vector3(options.alignment_centre[0], options.alignment_centre[1], options.alignment_centre[2]);
+    errors.correlation_length_mm = options.correlation_length_mm;
+    errors.common_bias_mm = options.common_bias_mm;
+    const bool known = options.before_sd.count != 0 || options.after_sd.count != 0 || rotation > 0 ||
+                       shift > 0 || options.common_bias_mm != 0;
+    return known ? std::optional<VolumeErrorModel>(errors) : std::nullopt;
+}
+
+/// Copies a struct out within the caller's struct_size, which is kept.
+template <typename Struct>
+void write_struct(Struct* out, Struct value, std::size_t minimum_size) {
+    if (out == nullptr) fail(Status::invalid_argument, "out is null");
+    const std::size_t size = out->struct_size;
+    if (size < minimum_size || size > 4096)
+        fail(Status::invalid_argument, "out.struct_size is %zu; set it to the struct's size first", size);
+    value.struct_size = static_cast<std::uint32_t>(size);
+    if (size > sizeof value) std::memset(static_cast<void*>(out), 0, size);
+    std::memcpy(static_cast<void*>(out), &value, std::min(size, sizeof value));
+}
+
+mien_measurement* finish_distance(DistanceReport&& report, const std::vector<Zone>& zones) {
+    Measurement result;
+    for (const Zone& zone : zones) result.zone_names.push_back(zone.name);
+    result.distance = std::move(report);
+    return new mien_measurement(std::move(result));
+}
+
+}  // namespace
+
+extern "C" {
+
+void MIEN_CALL mien_measure_options_init(mien_measure_options* options, size_t struct_size) {
+    write_defaults(options, struct_size, default_options());
+}
+
+mien_status MIEN_CALL mien_measure_volume(mien_session* session, const mien_mesh* before,
+                                          const mien_mesh* after, const mien_measure_options* options,
+                                          mien_measurement** out, mien_error* error) {
+    return guarded_create(out, error, [&] {
+        const mien_measure_options given = read_measure_options(options);
+        const TriMesh& first = *checked(before, "before").mesh;
+        const TriMesh& second = *checked(after, "after").mesh;
+        const Call call(session, given.progress, given.progress_user, given.cancel);
+        MeasureOptions settings;
+        settings.zones = read_zones(given);
+        settings.errors = read_errors(given);
+        settings.limit_of_detection_ml = given.limit_of_detection_ml;
+        return new mien_measurement(measure_volume_fully(first.vertices, second.vertices, first.triangles,
+                                                         settings, call.context()));
+    });
+}
+
+mien_status MIEN_CALL mien_measure_distance(mien_session* session, const mien_mesh* before,
+                                            const mien_mesh* after, const mien_measure_options* options,
+                                            mien_measurement** out, mien_error* error) {
+    return guarded_create(out, error, [&] {
+        const mien_measure_options given = read_measure_options(options);
+        const TriMesh& first = *checked(before, "before").mesh;
+        const TriMesh& second = *checked(after, "after").mesh;
+        const Call call(session, given.progress, given.progress_user, given.cancel);
+        const std::vector<Zone> zones = read_zones(given);
+        return finish_distance(measure_distance(first.vertices, second.vertices, first.triangles, zones,
+                                                call.context()),
+                               zones);
+    });
+}
+
+mien_status MIEN_CALL mien_measure_surface_distance(mien_session* session, const mien_mesh* before,
+                                                    const mien_mesh* after,
+                                                    const mien_measure_options* options,
+                                                    mien_measurement** out, mien_error* error) {
+    return guarded_create(out, error, [&] {
+        const mien_measure_options given = read_measure_options(options);
+        const TriMesh& first = *checked(before, "before").mesh;
+        const TriMesh& second = *checked(after, "after").mesh;
+        const Call call(session, given.progress, given.progress_user, given.cancel);
+        const std::vector<Zone> zones = read_zones(given);
+        return finish_distance(measure_surface_distance(first, second, zones, given.max_distance_mm,
+                                                        given.skip_borders != 0, call.context()),
+                               zones);
+    });
+}
+
+mien_status MIEN_CALL mien_measure_closed_volume(mien_session* session, const mien_mesh* mesh,
+                                                 int32_t close_rims, double* volume_ml,
+                                                 mien_error* error) {
+    return guarded(error, [&] {
+        const TriMesh& data = *checked(mesh, "mesh").mesh;
+        const Call call(session);
+        if (volume_ml == nullptr) fail(Status::invalid_argument, "volume_ml is null");
+        if (close_rims != 0 && close_rims != 1)
+            fail(Status::invalid_argument, "close_rims is %d, allowed are 0 and 1", close_rims);
+        *volume_ml = closed_volume_ml(data.vertices, data.triangles,
+                                      close_rims == 1 ? OpenRims::fan_to_centroid : OpenRims::refuse,
+                                      call.context());
+    });
+}
+
+mien_status MIEN_CALL mien_measure_area(mien_session* session, const mien_mesh* mesh,
+                                        const mien_measure_zone* zone, double* area_mm2,
+                                        mien_error* error) {
+    return guarded(error, [&] {
+        const TriMesh& data = *checked(mesh, "mesh").mesh;
+        const Call call(session);
+        if (area_mm2 == nullptr) fail(Status::invalid_argument, "area_mm2 is null");
+        if (zone == nullptr)
+            *area_mm2 = surface_area_mm2(data.vertices, data.triangles);
+        else
+            *area_mm2 = zone_areas(data.vertices, data.triangles, {read_zone(*zone)}).front().area_mm2;
+    });
+}
+
+mien_status MIEN_CALL mien_measurement_get_zones(const mien_measurement* measurement,
+                                                 uint32_t* zone_count, int32_t* zones_disjoint,
+                                                 mien_error* error) {
+    return guarded(error, [&] {
+        const Measurement& data = checked(measurement, "measurement").data;
+        if (zone_count != nullptr) *zone_count = static_cast<uint32_t>(data.zone_names.size());
+        if (zones_disjoint != nullptr) *zones_disjoint = !data.volume || data.volume->zones_disjoint ? 1 : 0;
+    });
+}
+
+mien_status MIEN_CALL mien_measurement_get_volume(const mien_measurement* measurement, int32_t zone,
+                                                  mien_zone_volume* out, mien_error* error) {
+    return guarded(error, [&] {
+        const Measurement& data = checked(measurement, "measurement").data;
+        if (!data.volume) fail(Status::not_found, "this measurement holds no volume");
+        const ZoneVolume* volume = &data.volume->whole;
+        const SignedVolumeVerdict* verdict = &data.whole_verdict;
+        if (zone == MIEN_ZONE_REST) {
+            volume = &data.volume->rest;
+            verdict = &data.rest_verdict;
+        } else if (zone != MIEN_ZONE_WHOLE) {
+            if (zone < 0 || static_cast<std::size_t>(zone) >= data.volume->zones.size())
+                fail(Status::not_found, "zone %d, but %zu zones were measured", zone,
+                     data.volume->zones.size());
+            volume = &data.volume->zones[static_cast<std::size_t>(zone)];
+            verdict = &data.zone_verdicts[static_cast<std::size_t>(zone)];
+        }
+        mien_zone_volume value{};
+        value.detected = verdict->detected;
+        value.signed_ml = volume->volume.signed_ml;
+        value.positive_ml = volume->volume.positive_ml;
+        value.negative_ml = volume->volume.negative_ml;
+        value.absolute_ml = volume->volume.absolute_ml;
+        value.sd_ml = verdict->uncertainty.sd_ml;
+        value.low95_ml = verdict->low95_ml;
+        value.high95_ml = verdict->high95_ml;
+        value.area_before_mm2 = volume->area_before_mm2;
+        value.area_after_mm2 = volume->area_after_mm2;
+        write_struct(out, value, MIEN_FIRST_SIZE(mien_zone_volume, area_after_mm2));
+    });
+}
+
+mien_status MIEN_CALL mien_measurement_get_distance(const mien_measurement* measurement, int32_t zone,
+                                                    mien_zone_distance* out, mien_error* error) {
+    return guarded(error, [&] {
+        const Measurement& data = checked(measurement, "measurement").data;
+        if (!data.distance) fail(Status::not_found, "this measurement holds no distance");
+        const DistanceSummary* summary = &data.distance->whole;
+        if (zone != MIEN_ZONE_WHOLE) {
+            if (zone < 0 || static_cast<std::size_t>(zone) >= data.distance->zones.size())
+                fail(Status::not_found, "zone %d, but %zu zones were measured", zone,
+                     data.distance->zones.size());
+            summary = &data.distance->zones[static_cast<std::size_t>(zone)];
+        }
+        mien_zone_distance value{};
+        value.mean_signed_mm = summary->mean_signed_mm;
+        value.sd_signed_mm = summary->sd_signed_mm;
+        value.mean_absolute_mm = summary->mean_absolute_mm;
+        value.rms_mm = summary->rms_mm;
+        value.mean_length_mm = summary->mean_length_mm;
+        value.median_length_mm = summary->median_length_mm;
+        value.p95_length_mm = summary->p95_length_mm;
+        value.max_length_mm = summary->max_length_mm;
+        value.vertex_count = static_cast<uint64_t>(summary->num_vertices);
+        write_struct(out, value, MIEN_FIRST_SIZE(mien_zone_distance, vertex_count));
+    });
+}
+
+mien_status MIEN_CALL mien_measurement_get_field(const mien_measurement* measurement, int32_t field,
+                                                 double* dst, uint64_t capacity, uint64_t* count,
+                                                 mien_error* error) {
+    return guarded(error, [&] {
+        const Measurement& data = checked(measurement, "measurement").data;
+        const Vector* values = nullptr;
+        if (field == MIEN_FIELD_SIGNED_DISTANCE_MM && data.distance) values = &data.distance->signed_mm;
+        if (field == MIEN_FIELD_DISTANCE_MM && data.distance) values = &data.distance->length_mm;
+        if (field == MIEN_FIELD_POSITIVE_VOLUME_MM3 && data.volume) values = &data.shares.positive_mm3;
+        if (field == MIEN_FIELD_NEGATIVE_VOLUME_MM3 && data.volume) values = &data.shares.negative_mm3;
+        if (values == nullptr)
+            fail(Status::not_found, "this measurement has no field %d", field);
+        copy_rows(values->data(), static_cast<uint64_t>(values->size()), sizeof(double), dst, capacity, count);
+    });
+}
+
+mien_status MIEN_CALL mien_measurement_get_json(const mien_measurement* measurement, char* dst,
+                                                uint64_t capacity, uint64_t* count, mien_error* error) {
+    return guarded(error, [&] {
+        const std::string& json = checked(measurement, "measurement").json;
+        copy_text(json.data(), json.size(), dst, capacity, count);
+    });
+}
+
+void MIEN_CALL mien_measurement_release(mien_measurement* measurement) { release(measurement); }
+
+}  // extern "C"

@@ -1,0 +1,134 @@
+// Volumes, areas and distances of the C++ face.
+#ifndef MIEN_DETAIL_MEASURE_HPP
+#define MIEN_DETAIL_MEASURE_HPP
+
+#include "core.hpp"
+
+namespace mien {
+
+/// A named vertex set.
+struct MeasureZone {
+    std::string name;
+    std::vector<std::uint32_t> vertices;
+};
+
+/// The settings of mien_measure_options; an empty vector is "not given".
+struct MeasureOptions {
+    std::vector<MeasureZone> zones;
+    std::vector<double> before_sd_mm, after_sd_mm;
+    double correlation_length_mm = 10.0;
+    double alignment_rotation_sd_rad = 0.0, alignment_translation_sd_mm = 0.0;
+    Position alignment_centre{{0, 0, 0}};
+    double common_bias_mm = 0.0;
+    double limit_of_detection_ml = 0.0;
+    double max_distance_mm = 0.0;
+    bool skip_borders = true;
+    Progress progress;
+    mien_cancel* cancel = nullptr;
+};
+
+/// A finished measurement; copies share it.
+class Measurement {
+  public:
+    static Measurement volume(const Session& session, const Mesh& before, const Mesh& after,
+                              const MeasureOptions& options = {}) {
+        return make(mien_measure_volume, session, before, after, options);
+    }
+    static Measurement distance(const Session& session, const Mesh& before, const Mesh& after,
+                                const MeasureOptions& options = {}) {
+        return make(mien_measure_distance, session, before, after, options);
+    }
+    static Measurement surface_distance(const Session& session, const Mesh& before, const Mesh& after,
+                                        const MeasureOptions& options = {}) {
+        return make(mien_measure_surface_distance, session, before, after, options);
+    }
+
+    std::size_t zone_count() const {
+        std::uint32_t count = 0;
+        detail::call(mien_measurement_get_zones, get(), &count, nullptr);
+        return count;
+    }
+    /// zone: 0 .. zone_count() - 1, MIEN_ZONE_WHOLE or MIEN_ZONE_REST.
+    mien_zone_volume zone_volume(std::int32_t zone) const {
+        mien_zone_volume out{};
+        out.struct_size = sizeof out;
+        detail::call(mien_measurement_get_volume, get(), zone, &out);
+        return out;
+    }
+    mien_zone_distance zone_distance(std::int32_t zone) const {
+        mien_zone_distance out{};
+        out.struct_size = sizeof out;
+        detail::call(mien_measurement_get_distance, get(), zone, &out);
+        return out;
+    }
+    std::vector<double> field(std::int32_t field) const {
+        std::uint64_t count = 0;
+        detail::call(mien_measurement_get_field, get(), field, nullptr, std::uint64_t{0}, &count);
+        std::vector<double> values(static_cast<std::size_t>(count));
+        detail::call(mien_measurement_get_field, get(), field, values.data(), count, &count);
+        return values;
+    }
+    std::string json() const { return detail::read_text(mien_measurement_get_json, get()); }
+    const mien_measurement* get() const noexcept { return handle_.get(); }
+
+  private:
+    template <typename Function>
+    static Measurement make(Function function, const Session& session, const Mesh& before,
+                            const Mesh& after, const MeasureOptions& settings) {
+        mien_measure_options options;
+        mien_measure_options_init(&options, sizeof options);
+        std::vector<mien_measure_zone> zones;
+        for (const MeasureZone& zone : settings.zones)
+            zones.push_back({zone.name.c_str(), zone.vertices.data(), zone.vertices.size()});
+        options.zones = zones.data();
+        options.zone_count = zones.size();
+        if (!settings.before_sd_mm.empty())
+            options.before_sd = {settings.before_sd_mm.data(), settings.before_sd_mm.size(), 0,
+                                 MIEN_DTYPE_F64, 0};
+        if (!settings.after_sd_mm.empty())
+            options.after_sd = {settings.after_sd_mm.data(), settings.after_sd_mm.size(), 0,
+                                MIEN_DTYPE_F64, 0};
+        options.correlation_length_mm = settings.correlation_length_mm;
+        options.alignment_rotation_sd_rad = settings.alignment_rotation_sd_rad;
+        options.alignment_translation_sd_mm = settings.alignment_translation_sd_mm;
+        for (std::size_t k = 0; k < 3; ++k) options.alignment_centre[k] = settings.alignment_centre[k];
+        options.common_bias_mm = settings.common_bias_mm;
+        options.limit_of_detection_ml = settings.limit_of_detection_ml;
+        options.max_distance_mm = settings.max_distance_mm;
+        options.skip_borders = settings.skip_borders ? 1 : 0;
+        options.cancel = settings.cancel;
+        detail::ProgressBridge bridge(settings.progress);
+        bridge.install(options);
+        mien_measurement* measurement = nullptr;
+        bridge.call(function, session.get(), before.get(), after.get(), &options, &measurement);
+        Measurement result;
+        result.handle_ = std::shared_ptr<mien_measurement>(measurement, mien_measurement_release);
+        return result;
+    }
+    std::shared_ptr<mien_measurement> handle_;
+};
+
+/// mL; an open mesh is an error unless its rims may be closed by fans.
+inline double closed_volume_ml(const Session& session, const Mesh& mesh, bool close_rims = false) {
+    double volume = 0.0;
+    detail::call(mien_measure_closed_volume, session.get(), mesh.get(), std::int32_t{close_rims ? 1 : 0},
+                 &volume);
+    return volume;
+}
+
+/// mm^2.
+inline double area_mm2(const Session& session, const Mesh& mesh) {
+    double area = 0.0;
+    detail::call(mien_measure_area, session.get(), mesh.get(), nullptr, &area);
+    return area;
+}
+inline double area_mm2(const Session& session, const Mesh& mesh, const MeasureZone& zone) {
+    const mien_measure_zone view{zone.name.c_str(), zone.vertices.data(), zone.vertices.size()};
+    double area = 0.0;
+    detail::call(mien_measure_area, session.get(), mesh.get(), &view, &area);
+    return area;
+}
+
+}  // namespace mien
+
+#endif

@@ -1,0 +1,321 @@
+/* Mien: volumes, areas and distances between faces, with their uncertainty. */
+#ifndef MIEN_MEASURE_H
+#define MIEN_MEASURE_H
+
+#include "mesh.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** What was measured: numbers per zone and values per vertex. Immutable: share freely. */
+typedef struct mien_measurement mien_measurement;
+
+/** A named vertex set, read in place and only during the call. */
+typedef struct mien_measure_zone {
+    const char *name;         /**< UTF-8, not null */
+    const uint32_t *vertices; /**< vertex_count vertex numbers; repeated ones count once */
+    uint64_t vertex_count;
+} mien_measure_zone;
+
+/** Initialise with mien_measure_options_init(). */
+typedef struct mien_measure_options {
+    uint32_t struct_size;
+    int32_t skip_borders; /**< surfaces not in correspondence: 1 (default) leaves out places whose partner
+                               lies on an open border, where nothing is known */
+    const mien_measure_zone *zones; /**< zone_count zones; null: the whole face only */
+    uint64_t zone_count;
+    mien_array_view before_sd; /**< #V, mm: deviation of each vertex along the normal; count 0: exact */
+    mien_array_view after_sd;
+    double correlation_length_mm; /**< over which errors of a surface go together; default 10 */
+    double alignment_rotation_sd_rad;   /**< of the after face against the before face; default 0 */
+    double alignment_translation_sd_mm; /**< default 0 */
+    double alignment_centre[3];   /**< mm; what the alignment turns about, e.g. the stable zone's centre */
+    double common_bias_mm;        /**< error common to all vertices; default 0 */
+    double limit_of_detection_ml; /**< smaller changes are marked as below it; default 0: unknown */
+    double max_distance_mm;       /**< surfaces not in correspondence: farther partners are none;
+                                       default 0: no limit */
+    mien_progress_fn progress;    /**< may be null */
+    void *progress_user;
+    mien_cancel *cancel;          /**< may be null */
+} mien_measure_options;
+
+/** Places of the whole face and of what no zone covers, beside 0 .. zone_count - 1. */
+enum { MIEN_ZONE_WHOLE = -1, MIEN_ZONE_REST = -2 };
+
+/** Volume of one zone, mL. signed = positive + negative, absolute = positive - negative; positive: the
+ *  after face lies outside. NaN where a number is not known. */
+typedef struct mien_zone_volume {
+    uint32_t struct_size;
+    int32_t detected; /**< 1: |signed| reaches the limit of detection, 0: below it, -1: no limit given */
+    double signed_ml;
+    double positive_ml; /**< >= 0 */
+    double negative_ml; /**< <= 0 */
+    double absolute_ml;
+    double sd_ml;     /**< of signed_ml; NaN when no deviation was given */
+    double low95_ml;  /**< 95 % interval of signed_ml */
+    double high95_ml;
+    double area_before_mm2;
+    double area_after_mm2; /**< NaN for surfaces not in correspondence */
+} mien_zone_volume;
+
+/** Distances of one zone, mm, weighted with area. */
+typedef struct mien_zone_distance {
+    uint32_t struct_size;
+    uint32_t reserved;
+    double mean_signed_mm; /**< along the normal of the before face; positive: outside */
+    double sd_signed_mm;
+    double mean_absolute_mm; /**< of the signed ones */
+    double rms_mm;           /**< of the lengths */
+    double mean_length_mm;
+    double median_length_mm;
+    double p95_length_mm;
+    double max_length_mm;
+    uint64_t vertex_count; /**< vertices that had a partner */
+} mien_zone_distance;
+
+/** Fields with one value per vertex of the before face. */
+enum {
+    MIEN_FIELD_SIGNED_DISTANCE_MM = 1, /**< along the normal of the before face */
+    MIEN_FIELD_DISTANCE_MM = 2,        /**< length of the displacement or to the closest place */
+    MIEN_FIELD_POSITIVE_VOLUME_MM3 = 3,
+    MIEN_FIELD_NEGATIVE_VOLUME_MM3 = 4
+};
+
+/**
+ * Writes the defaults into the first struct_size bytes of *options and zeroes what it does not know.
+ *
+ * @param options     [out] not null.
+ * @param struct_size [in] sizeof(mien_measure_options) of the caller.
+ * @errors none (does nothing when options is null or struct_size is below 4)
+ * @owner  nothing
+ * @thread thread-safe
+ * @cancel no
+ * @cost   O(1)
+ * @since  0.1
+ */
+MIEN_API void MIEN_CALL mien_measure_options_init(mien_measure_options *options, size_t struct_size);
+
+/**
+ * The volume between two faces in correspondence: signed, positive, negative and absolute, whole and per
+ * zone, exact where the faces cross inside a triangle pair. A zone's edge runs linearly through the ring
+ * of triangles it shares; disjoint zones and the rest add up to the whole.
+ *
+ * @param session [in] not null.
+ * @param before  [in] not null; #V x 3, mm, with triangles counter-clockwise seen from outside.
+ * @param after   [in] not null; same vertex count, in the frame of before; its triangles are not read.
+ * @param options [in] may be null: the whole face, no uncertainty.
+ * @param out     [out] not null; the measurement, or null on failure.
+ * @param error   [out] may be null; detail_index is the first offending vertex.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (no triangles), MIEN_E_MISMATCH (vertex
+ *         counts, zones, deviations), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED
+ * @owner  the caller releases *out with mien_measurement_release()
+ * @thread externally synchronized by session
+ * @cancel yes
+ * @cost   O(#V + #F); with deviations O(n k) per zone of n vertices, k of them within 4 correlation lengths
+ * @since  0.1
+ * @source jousse-2022 4.1.2, there unsigned and inexact at crossings; see src/measure/volume.hpp
+ */
+MIEN_API mien_status MIEN_CALL mien_measure_volume(mien_session *session, const mien_mesh *before,
+                                                   const mien_mesh *after,
+                                                   const mien_measure_options *options,
+                                                   mien_measurement **out, mien_error *error);
+
+/**
+ * Distances between two faces in correspondence, per vertex and per zone.
+ *
+ * @param session [in] not null.
+ * @param before  [in] not null; #V x 3, mm.
+ * @param after   [in] not null; same vertex count, in the frame of before.
+ * @param options [in] may be null; zones, progress and cancel are read.
+ * @param out     [out] not null; the measurement, or null on failure.
+ * @param error   [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH, MIEN_E_NO_MEMORY,
+ *         MIEN_E_CANCELLED
+ * @owner  the caller releases *out with mien_measurement_release()
+ * @thread externally synchronized by session
+ * @cancel yes
+ * @cost   O(#V log #V + #F)
+ * @since  0.1
+ */
+MIEN_API mien_status MIEN_CALL mien_measure_distance(mien_session *session, const mien_mesh *before,
+                                                     const mien_mesh *after,
+                                                     const mien_measure_options *options,
+                                                     mien_measurement **out, mien_error *error);
+
+/**
+ * Distances from the vertices of one surface to the closest place on another, in any topology; the
+ * Hausdorff distance takes both directions.
+ *
+ * @param session [in] not null.
+ * @param before  [in] not null; #V x 3, mm, with triangles.
+ * @param after   [in] not null; a surface or a cloud of points, aligned with before.
+ * @param options [in] may be null; zones (of before), max_distance_mm, skip_borders, progress, cancel.
+ * @param out     [out] not null; the measurement, or null on failure.
+ * @param error   [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH, MIEN_E_NO_MEMORY,
+ *         MIEN_E_CANCELLED
+ * @owner  the caller releases *out with mien_measurement_release()
+ * @thread externally synchronized by session
+ * @cancel yes
+ * @cost   O((#V before + #V after) log #F)
+ * @since  0.1
+ */
+MIEN_API mien_status MIEN_CALL mien_measure_surface_distance(mien_session *session,
+                                                             const mien_mesh *before,
+                                                             const mien_mesh *after,
+                                                             const mien_measure_options *options,
+                                                             mien_measurement **out, mien_error *error);
+
+/**
+ * The volume that a mesh encloses, by the divergence theorem about its centroid.
+ *
+ * @param session    [in] not null.
+ * @param mesh       [in] not null; manifold along its edges and consistently oriented.
+ * @param close_rims [in] 1: each open rim is closed by a fan from the mean of its vertices; 0: an open mesh
+ *                   is an error.
+ * @param volume_ml  [out] not null; mL, positive when the triangles face outwards.
+ * @param error      [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (open, not manifold or not oriented: the
+ *         message counts the edges), MIEN_E_NO_MEMORY
+ * @owner  nothing
+ * @thread externally synchronized by session
+ * @cancel no
+ * @cost   O(#F log #F)
+ * @since  0.1
+ */
+MIEN_API mien_status MIEN_CALL mien_measure_closed_volume(mien_session *session, const mien_mesh *mesh,
+                                                          int32_t close_rims, double *volume_ml,
+                                                          mien_error *error);
+
+/**
+ * The area of a surface, or of a zone of it (a triangle's area is shared by its three vertices).
+ *
+ * @param session  [in] not null.
+ * @param mesh     [in] not null; with triangles.
+ * @param zone     [in] may be null: the whole surface.
+ * @param area_mm2 [out] not null; mm^2.
+ * @param error    [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH (zone), MIEN_E_NO_MEMORY
+ * @owner  nothing
+ * @thread externally synchronized by session
+ * @cancel no
+ * @cost   O(#V + #F)
+ * @since  0.1
+ */
+MIEN_API mien_status MIEN_CALL mien_measure_area(mien_session *session, const mien_mesh *mesh,
+                                                 const mien_measure_zone *zone, double *area_mm2,
+                                                 mien_error *error);
+
+/**
+ * How many zones were measured.
+ *
+ * @param measurement    [in] not null.
+ * @param zone_count     [out] may be null; the number of zones given.
+ * @param zones_disjoint [out] may be null; 1 when no vertex lies in two zones: zones and rest then add up.
+ * @param error          [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE
+ * @owner  nothing
+ * @thread thread-safe
+ * @cancel no
+ * @cost   O(1)
+ * @since  0.1
+ */
+MIEN_API mien_status MIEN_CALL mien_measurement_get_zones(const mien_measurement *measurement,
+                                                          uint32_t *zone_count, int32_t *zones_disjoint,
+                                                          mien_error *error);
+
+/**
+ * The volume of a zone. Set out->struct_size first.
+ *
+ * @param measurement [in] not null; made by mien_measure_volume().
+ * @param zone        [in] 0 .. zone_count - 1, MIEN_ZONE_WHOLE or MIEN_ZONE_REST.
+ * @param out         [in,out] not null; struct_size as the caller knows it, the rest is written.
+ * @param error       [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NOT_FOUND (no such zone, no volume in it)
+ * @owner  nothing
+ * @thread thread-safe
+ * @cancel no
+ * @cost   O(1)
+ * @since  0.1
+ */
+MIEN_API mien_status MIEN_CALL mien_measurement_get_volume(const mien_measurement *measurement,
+                                                           int32_t zone, mien_zone_volume *out,
+                                                           mien_error *error);
+
+/**
+ * The distances of a zone. Set out->struct_size first.
+ *
+ * @param measurement [in] not null; made by a distance function.
+ * @param zone        [in] 0 .. zone_count - 1 or MIEN_ZONE_WHOLE.
+ * @param out         [in,out] not null; struct_size as the caller knows it, the rest is written.
+ * @param error       [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NOT_FOUND (no such zone, no distance in it)
+ * @owner  nothing
+ * @thread thread-safe
+ * @cancel no
+ * @cost   O(1)
+ * @since  0.1
+ */
+MIEN_API mien_status MIEN_CALL mien_measurement_get_distance(const mien_measurement *measurement,
+                                                             int32_t zone, mien_zone_distance *out,
+                                                             mien_error *error);
+
+/**
+ * Copies a field with one float64 per vertex of the before face; NaN where there was no partner. With dst
+ * null and capacity 0: the count only.
+ *
+ * @param measurement [in] not null.
+ * @param field       [in] MIEN_FIELD_*.
+ * @param dst         [out] room for capacity values, or null.
+ * @param capacity    [in] values that dst holds.
+ * @param count       [out] may be null; #V.
+ * @param error       [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_NOT_FOUND (this measurement has no such field), MIEN_E_BUFFER_TOO_SMALL
+ *         (dst untouched, count written)
+ * @owner  nothing
+ * @thread thread-safe
+ * @cancel no
+ * @cost   O(#V)
+ * @since  0.1
+ */
+MIEN_API mien_status MIEN_CALL mien_measurement_get_field(const mien_measurement *measurement,
+                                                          int32_t field, double *dst, uint64_t capacity,
+                                                          uint64_t *count, mien_error *error);
+
+/**
+ * The whole measurement as JSON text. With dst null and capacity 0: the size only.
+ *
+ * @param measurement [in] not null.
+ * @param dst         [out] room for capacity bytes, or null.
+ * @param capacity    [in] bytes that dst holds.
+ * @param count       [out] may be null; bytes with the terminating zero.
+ * @param error       [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_BUFFER_TOO_SMALL (dst untouched, count written), MIEN_E_NO_MEMORY
+ * @owner  nothing
+ * @thread thread-safe
+ * @cancel no
+ * @cost   O(zones)
+ * @since  0.1
+ */
+MIEN_API mien_status MIEN_CALL mien_measurement_get_json(const mien_measurement *measurement, char *dst,
+                                                         uint64_t capacity, uint64_t *count,
+                                                         mien_error *error);
+
+/**
+ * Releases a measurement.
+ *
+ * @param measurement [in] may be null.
+ * @errors none
+ * @owner  the caller's reference is gone afterwards
+ * @thread thread-safe
+ * @cancel no
+ * @cost   O(1)
+ * @since  0.1
+ */
+MIEN_API void MIEN_CALL mien_measurement_release(mien_measurement *measurement);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
