@@ -360,14 +360,12 @@ void HeatGeodesics::distances(const std::vector<std::uint32_t>& sources,
     });
 }
 
-void HeatGeodesics::symmetric_distances(const std::vector<std::uint32_t>& sources,
-                                        Eigen::Ref<Eigen::MatrixXf> out,
-                                        const Context& context) const {
-    distances(sources, out, context);
+void make_symmetric(const std::vector<std::uint32_t>& sources,
+                    Eigen::Ref<Eigen::MatrixXf> distances) {
     for (std::size_t i = 0; i < sources.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {
-            float& there = out(static_cast<Index>(sources[i]), static_cast<Index>(j));
-            float& back = out(static_cast<Index>(sources[j]), static_cast<Index>(i));
+            float& there = distances(static_cast<Index>(sources[i]), static_cast<Index>(j));
+            float& back = distances(static_cast<Index>(sources[j]), static_cast<Index>(i));
             there = back = 0.5f * (there + back);
         }
 }

@@ -42,10 +42,6 @@ class HeatGeodesics {
     /// about one percent. Parallel over blocks of eight sources, same bits for any thread count.
     void distances(const std::vector<std::uint32_t>& sources,
                    Eigen::Ref<Eigen::MatrixXf> out, const Context& context) const;
-    /// As above, then the rows of the sources themselves are made symmetric by averaging the way
-    /// there and the way back: out(sources[i], j) == out(sources[j], i).
-    void symmetric_distances(const std::vector<std::uint32_t>& sources,
-                             Eigen::Ref<Eigen::MatrixXf> out, const Context& context) const;
     /// One source, double precision.
     Vector distances_from(std::uint32_t source) const;
 
@@ -53,5 +49,9 @@ class HeatGeodesics {
     struct State;
     std::unique_ptr<State> state_;
 };
+
+/// Averages the way there and the way back between the sources of a #V x sources matrix, so that
+/// distances(sources[i], j) == distances(sources[j], i).
+void make_symmetric(const std::vector<std::uint32_t>& sources, Eigen::Ref<Eigen::MatrixXf> distances);
 
 }  // namespace mien
