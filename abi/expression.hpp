@@ -1,0 +1,30 @@
+// The objects behind mien_expression_model and mien_neutralization.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "expression/expression_model.hpp"
+#include "expression/neutralize.hpp"
+#include "handle.hpp"
+#include "mesh.hpp"
+
+struct mien_expression_model : mien::abi::Object {
+    static constexpr mien::abi::Tag kTag = mien::abi::Tag::expression_model;
+    static constexpr const char* kName = "expression model";
+    mien_expression_model(std::shared_ptr<const mien::ExpressionModel> data, std::string report)
+        : Object(kTag), model(std::move(data)), json(std::move(report)) {}
+    std::shared_ptr<const mien::ExpressionModel> model;
+    std::string json;
+};
+
+struct mien_neutralization : mien::abi::Object {
+    static constexpr mien::abi::Tag kTag = mien::abi::Tag::neutralization;
+    static constexpr const char* kName = "neutralization";
+    mien_neutralization() : Object(kTag) {}
+    ~mien_neutralization() { mien::abi::release(mesh); }
+    mien_mesh* mesh = nullptr;  // a reference of its own, so that a host may keep the mesh longer
+    mien::NeutralizationResult result;
+    std::string json;
+};

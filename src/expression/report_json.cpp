@@ -1,0 +1,145 @@
+#include "expression/report_json.hpp"
+
+#include <charconv>
+#include <cmath>
+
+#include "base/json.hpp"
+
+namespace mien {
+namespace {
+
+/// One object under construction; numbers that JSON cannot hold become null.
+class JsonObject {
+  public:
+    JsonObject& number(const char* key, double value) {
+        begin(key);
+        append(value);
+        return *this;
+    }
+    JsonObject& integer(const char* key, std::int64_t value) {
+        begin(key);
+        text_ += std::to_string(value);
+        return *this;
+    }
+    JsonObject& boolean(const char* key, bool value) {
+        begin(key);
+        text_ += value ? "true" : "false";
+        return *this;
+    }
+    JsonObject& string(const char* key, const std::string& value) {
+        begin(key);
+        append_json_string(text_, value);
+        return *this;
+    }
+    JsonObject& raw(const char* key, const std::string& json) {
+        begin(key);
+        text_ += json;
+        return *this;
+    }
+    template <typename Values>
+    JsonObject& numbers(const char* key, const Values& values) {
+        begin(key);
+        text_ += '[';
+        for (Index k = 0; k < static_cast<Index>(values.size()); ++k) {
+            if (k != 0) text_ += ", ";
+            append(values[static_cast<std::size_t>(k)]);
+        }
+        text_ += ']';
+        return *this;
+    }
+    std::string text() const { return text_ + "}"; }
+
+  private:
+    void begin(const char* key) {
+        if (text_.size() > 1) text_ += ", ";
+        append_json_string(text_, key);
+        text_ += ": ";
+    }
+    void append(double value) {
+        if (!std::isfinite(value)) {
+            text_ += "null";
+            return;
+        }
+        char digits[32];
+        const auto end = std::to_chars(digits, digits + sizeof digits, value);
+        text_.append(digits, end.ptr);
+    }
+    std::string text_ = "{";
+};
+
+std::vector<double> as_list(const Vector& values) {
+    return std::vector<double>(values.data(), values.data() + values.size());
+}
+
+void add_model(JsonObject& json, const ExpressionModel& model) {
+    json.integer("vertices", model.num_vertices())
+        .integer("triangles", model.triangles.rows())
+        .integer("identity_modes", model.num_identity_modes())
+        .integer("expression_modes", model.num_expression_modes())
+        .number("map_noise_mm2", model.map_noise_mm2)
+        .number("mixture_noise_mm2", model.mixture_noise_mm2)
+        .raw("expressions", json_string_list(model.expression_names));
+    std::vector<std::string> names;
+    for (const ExpressionComponent& component : model.components) names.push_back(component.name);
+    json.raw("components", json_string_list(names));
+    JsonObject info;
+    for (const auto& [key, value] : model.info) info.string(key.c_str(), value);
+    json.raw("info", info.text());
+}
+
+}  // namespace
+
+std::string model_json(const ExpressionModel& model) {
+    JsonObject json;
+    add_model(json, model);
+    json.numbers("identity_deviations_mm", as_list(model.identity_deviations))
+        .numbers("expression_deviations_mm", as_list(model.expression_deviations));
+    return json.text();
+}
+
+std::string training_json(const ExpressionModel& model, const TrainReport& report) {
+    JsonObject json;
+    add_model(json, model);
+    json.integer("subjects", report.subjects)
+        .integer("faces", report.faces)
+        .integer("skipped_faces", report.skipped_faces)
+        .number("k", report.k)
+        .number("lambda", report.lambda)
+        .integer("iterations", report.iterations)
+        .number("last_angle_rad", report.last_angle_rad)
+        .boolean("converged", report.converged)
+        .numbers("orthogonality", as_list(report.orthogonality))
+        .number("identity_explained", report.identity_explained)
+        .number("expression_explained", report.expression_explained)
+        .number("span_cut", report.span_cut)
+        .number("cross_validated_map_error_mm", report.noise.map_error_mm)
+        .number("cross_validated_mixture_error_mm", report.noise.mixture_error_mm);
+    return json.text();
+}
+
+std::string neutralization_json(const ExpressionModel& model, const NeutralizationResult& result) {
+    JsonObject json;
+    json.number("mean_displacement_mm", result.mean_displacement_mm)
+        .number("max_displacement_mm", result.max_displacement_mm)
+        .number("residual_rms_mm", result.residual_rms_mm)
+        .integer("sweeps", result.sweeps)
+        .boolean("converged", result.converged);
+    if (!result.component_probabilities.empty()) {
+        JsonObject expressions;
+        std::size_t best = 0;
+        for (std::size_t k = 0; k < result.component_probabilities.size(); ++k) {
+            expressions.number(model.components[k].name.c_str(), result.component_probabilities[k]);
+            if (result.component_probabilities[k] > result.component_probabilities[best]) best = k;
+        }
+        json.string("expression", model.components[best].name);
+        json.raw("probabilities", expressions.text());
+    }
+    if (result.uncertainty_mm.size() != 0)
+        json.number("mean_uncertainty_mm", result.uncertainty_mm.mean())
+            .number("max_uncertainty_mm", result.uncertainty_mm.maxCoeff());
+    json.numbers("identity_coordinates_mm", as_list(result.identity))
+        .numbers("expression_coordinates_mm", as_list(result.expression));
+    return json.text();
+}
+
+}  // namespace mien
