@@ -1,0 +1,21 @@
+# Prebuilt archives: `cmake/package.sh MACHINE` configures with MIEN_SELF_CONTAINED and calls cpack.
+string(TOLOWER ${CMAKE_SYSTEM_NAME} system)
+set(CPACK_PACKAGE_NAME mien)
+set(CPACK_PACKAGE_VENDOR Mien)
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY ${PROJECT_DESCRIPTION})
+set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+set(CPACK_PACKAGE_FILE_NAME mien-${PROJECT_VERSION}-${system}-${CMAKE_SYSTEM_PROCESSOR})
+set(CPACK_STRIP_FILES ON)
+set(CPACK_PACKAGE_CHECKSUM SHA256)
+if(WIN32)
+    set(CPACK_GENERATOR ZIP)
+else()
+    set(CPACK_GENERATOR TGZ)
+endif()
+
+if(MIEN_SELF_CONTAINED)
+    # The licence files of everything that is linked in, gathered by cmake/dependencies.sh.
+    install(DIRECTORY ${MIEN_DEPENDENCIES}/share/licenses/ DESTINATION ${CMAKE_INSTALL_DATADIR}/licenses/mien/dependencies)
+    set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/manifest.cmake)
+endif()
+include(CPack)

@@ -1,0 +1,66 @@
+#!/bin/sh
+# Builds a prebuilt, self-contained archive of Mien, and proves that it needs nothing.
+#   sh cmake/package.sh linux-x86_64|linux-aarch64|windows-x86_64 [WORK_DIR]
+# WORK_DIR (default build/package) keeps dependencies and objects for the next run; the archive and
+# its hash come into WORK_DIR. Debian's compilers and sources are installed and fetched as needed.
+set -e
+machine=$1
+project=$(cd "$(dirname "$0")/.." && pwd)
+work=${2:-$project/build/package}
+mkdir -p "$work"
+work=$(cd "$work" && pwd)
+
+packages="cmake ninja-build dpkg-dev libeigen3-dev libspectra-dev nlohmann-json3-dev libcli11-dev"
+toolchain=-DCMAKE_TOOLCHAIN_FILE=$project/cmake/$machine.cmake
+case $machine in
+linux-x86_64) packages="$packages g++"; toolchain=; strip=strip; readelf=readelf ;;
+linux-aarch64) packages="$packages g++-aarch64-linux-gnu"; strip=aarch64-linux-gnu-strip; readelf=aarch64-linux-gnu-readelf ;;
+windows-x86_64) packages="$packages g++-mingw-w64-x86-64-posix"; strip=x86_64-w64-mingw32-strip; objdump=x86_64-w64-mingw32-objdump ;;
+*) echo "usage: package.sh linux-x86_64|linux-aarch64|windows-x86_64 [WORK_DIR]" >&2; exit 2 ;;
+esac
+for package in $packages; do
+    dpkg -s "$package" >/dev/null 2>&1 || missing="$missing $package"
+done
+if [ -n "$missing" ]; then
+    as_root=
+    [ "$(id -u)" = 0 ] || as_root=sudo
+    $as_root apt-get -q update && $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $missing
+fi
+
+sh "$project/cmake/dependencies.sh" "$machine" "$work/dependencies"
+prefix=$work/dependencies/$machine
+cmake -S "$project" -B "$work/$machine" -G Ninja $toolchain -DCMAKE_BUILD_TYPE=Release -DMIEN_SELF_CONTAINED=ON \
+    -DMIEN_DEPENDENCIES="$prefix" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_IGNORE_PATH=/usr/lib/x86_64-linux-gnu/cmake/OpenMesh \
+    -DCMAKE_INSTALL_LIBDIR=lib -DCMAKE_STRIP="$(command -v $strip)" -DPNG_PNG_INCLUDE_DIR="$prefix/include" \
+    -DPNG_LIBRARY="$prefix/lib/libpng.a" -DZLIB_INCLUDE_DIR="$prefix/include" -DZLIB_LIBRARY="$prefix/lib/libz.a" \
+    -DMIEN_BUILD_TESTS=OFF -DMIEN_BUILD_EXAMPLES=OFF >"$work/$machine.log"
+cmake --build "$work/$machine" -j "${MIEN_JOBS:-$(nproc)}" >>"$work/$machine.log" || { tail -30 "$work/$machine.log" >&2; exit 1; }
+(cd "$work/$machine" && cpack -B "$work/$machine/packed" >>"$work/$machine.log")
+cp "$work/$machine"/packed/mien-*.tar.gz* "$work/$machine"/packed/mien-*.zip* "$work" 2>/dev/null || true
+
+# What the archive promises, looked at from outside.
+archive=$(ls "$work/$machine"/packed/mien-*.tar.gz "$work/$machine"/packed/mien-*.zip 2>/dev/null | head -1)
+look=$work/$machine/unpacked
+rm -rf "$look" && mkdir "$look"
+case $archive in
+*.zip) (cd "$look" && cmake -E tar xf "$archive") ;;
+*) tar -C "$look" -xzf "$archive" ;;
+esac
+root=$(echo "$look"/*/)
+(cd "$root" && sha256sum --quiet -c MANIFEST.txt)
+if [ "$machine" = windows-x86_64 ]; then
+    library=$root/bin/mien-0.dll
+    needed=$($objdump -p "$library" | sed -n 's/.*DLL Name: //p' | sort | tr '\n' ' ')
+    allowed='KERNEL32.dll|msvcrt.dll|USER32.dll|ADVAPI32.dll|bcrypt.dll'
+else
+    library=$(ls "$root"/lib/libmien.so.0.*)
+    needed=$($readelf -dW "$library" | sed -n 's/.*NEEDED.*\[\(.*\)\]/\1/p' | tr '\n' ' ')
+    allowed='libc.so.6|libm.so.6|ld-linux-.*'
+fi
+size=$(wc -c <"$library")
+echo "$archive: $(wc -c <"$archive") bytes, $(wc -l <"$root/MANIFEST.txt") files"
+echo "$(basename "$library"): $size bytes, needs $needed"
+for name in $needed; do
+    echo "$name" | grep -qE "^($allowed)$" || { echo "FAILED: the library needs $name" >&2; exit 1; }
+done
+[ "$size" -lt 6000000 ] || { echo "FAILED: the library is larger than 6 MB" >&2; exit 1; }
