@@ -11,6 +11,8 @@
 #include "expression.h"
 #include "measure.h"
 #include "mesh.h"
+#include "model.h"
+#include "registration.h"
 #include "session.h"
 
 #endif

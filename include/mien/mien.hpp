@@ -6,5 +6,7 @@
 #include "detail/core.hpp"
 #include "detail/expression.hpp"
 #include "detail/measure.hpp"
+#include "detail/model.hpp"
+#include "detail/registration.hpp"
 
 #endif

@@ -14,7 +14,7 @@
 namespace mien {
 
 struct ModelOptions {
-    std::vector<KernelTerm> kernels{KernelTerm{}};  ///< summed; may be empty beside pca_faces
+    std::vector<KernelTerm> kernels = std::vector<KernelTerm>(1);  ///< summed; may be empty beside pca_faces
     /// Borrowed, or null: registered faces for a mean and principal modes on top of the kernel, whose
     /// scale_mm is then the deviation of what the faces do not explain. Without kernels: those alone.
     const FaceDataset* pca_faces = nullptr;

@@ -1,0 +1,17 @@
+// What a deformation model is, as JSON text for hosts and reports.
+#pragma once
+
+#include <string>
+
+#include "model/deformation_model.hpp"
+
+namespace mien {
+
+/// {"vertices", "triangles", "scalar_modes", "deformation_modes", "pca_modes", "landmarks": {name:
+/// vertex}, "zones": {name: count}, "info": {...}}. Entries of info that are numbers stand as numbers.
+std::string model_json(const DeformationModel& model);
+
+/// Appends a JSON number, or null when it is not finite.
+void append_json_number(std::string& json, double value);
+
+}  // namespace mien
