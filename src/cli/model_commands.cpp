@@ -1,7 +1,181 @@
+// mien model build|info: how a template may move, computed once and kept in a file.
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <stdexcept>
+
 #include "commands.hpp"
 
 namespace mien::cli {
+namespace {
 
-void add_model_commands(CLI::App&) {}
+const std::map<std::string, std::int32_t>& kernels() {
+    static const std::map<std::string, std::int32_t> names{
+        {"geodesic-se", MIEN_KERNEL_GEODESIC_SE}, {"euclidean-se", MIEN_KERNEL_EUCLIDEAN_SE},
+        {"bspline", MIEN_KERNEL_BSPLINE},         {"surface-matern", MIEN_KERNEL_SURFACE_MATERN},
+        {"none", MIEN_KERNEL_NONE}};
+    return names;
+}
+
+const std::map<std::string, std::int32_t>& boundaries() {
+    static const std::map<std::string, std::int32_t> names{{"neumann", MIEN_HEAT_NEUMANN},
+                                                           {"dirichlet", MIEN_HEAT_DIRICHLET},
+                                                           {"average", MIEN_HEAT_AVERAGE}};
+    return names;
+}
+
+template <typename Names>
+std::vector<std::string> keys(const Names& names) {
+    std::vector<std::string> list;
+    for (const auto& entry : names) list.push_back(entry.first);
+    return list;
+}
+
+/// "geodesic-se:40:0.5": one more kernel of a sum.
+mien_kernel parse_kernel(const std::string& text) {
+    const std::size_t first = text.find(':'), second = text.find(':', first + 1);
+    const auto kind = kernels().find(text.substr(0, first));
+    mien_kernel kernel{0, 0, 0.0, 1.0, 2.0};
+    try {
+        if (kind == kernels().end() || kind->second == MIEN_KERNEL_NONE || first == std::string::npos)
+            throw std::invalid_argument("");
+        kernel.kind = kind->second;
+        kernel.sigma_mm = std::stod(text.substr(first + 1, second - first - 1));
+        if (second != std::string::npos) kernel.scale_mm = std::stod(text.substr(second + 1));
+    } catch (const std::exception&) {
+        throw std::runtime_error("--add-kernel " + text + ": expected KERNEL:SIGMA[:SCALE], for example "
+                                                          "geodesic-se:40:0.5");
+    }
+    return kernel;
+}
+
+struct BuildSettings {
+    Common common;
+    std::string template_path, kernel = "geodesic-se", boundary = "neumann", landmarks, zones, scales, out;
+    std::vector<std::string> more_kernels;
+    ModelSettings model;
+};
+
+/// One number per line, as `mien measure --field` writes them.
+std::vector<double> read_values(const std::string& path) {
+    const nlohmann::json file = read_json(path);
+    if (!file.is_array()) throw std::runtime_error(path + ": expected a list of one number per vertex");
+    return file.get<std::vector<double>>();
+}
+
+void print_info(const nlohmann::json& info) {
+    const auto text = [&](const char* key) {
+        const auto found = info["info"].find(key);
+        if (found == info["info"].end()) return std::string("-");
+        return found->is_string() ? found->template get<std::string>() : found->dump();
+    };
+    std::printf("kernel              %s, sigma %s mm, scale %s mm\n", text("kernel").c_str(),
+                text("sigma_mm").c_str(), text("scale_mm").c_str());
+    std::printf("template            %d vertices, %d triangles, %zu landmarks, %zu zones\n",
+                info["vertices"].get<int>(), info["triangles"].get<int>(), info["landmarks"].size(),
+                info["zones"].size());
+    std::printf("modes               %d deformation modes (%d scalar), %d trained on faces\n",
+                info["deformation_modes"].get<int>(), info["scalar_modes"].get<int>(),
+                info["pca_modes"].get<int>());
+    std::printf("variance explained  %s\n", text("variance_explained").c_str());
+    std::printf("largest error       %s of the variance at one vertex\n", text("max_variance_error").c_str());
+    std::printf("clipped             %s of the spectral mass, %s negative eigenvalues\n",
+                text("negative_mass").c_str(), text("negative_eigenvalues").c_str());
+}
+
+void run_build(BuildSettings& settings) {
+    const Session session(settings.common.num_threads);
+    const Mesh mesh(session, settings.template_path);
+    ModelSettings& model = settings.model;
+    model.kernel = kernels().at(settings.kernel);
+    model.heat_boundary = boundaries().at(settings.boundary);
+    for (const std::string& text : settings.more_kernels) model.more_kernels.push_back(parse_kernel(text));
+    if (!settings.landmarks.empty())
+        for (auto& [name, vertex] : read_landmark_vertices(settings.landmarks))
+            model.landmarks.push_back({name, vertex});
+    if (!settings.zones.empty())
+        for (auto& [name, vertices] : read_zones(settings.zones))
+            model.zones.push_back({name, std::move(vertices)});
+    if (!settings.scales.empty()) model.scale_per_vertex = read_values(settings.scales);
+    model.progress = progress_bar();
+    const Model built = Model::build(session, mesh, model);
+    built.save(session, settings.out);
+    const nlohmann::json info = nlohmann::json::parse(built.json());
+    if (model.kernel != MIEN_KERNEL_NONE && info["deformation_modes"].get<int>() < model.num_modes)
+        std::printf("note: %d of %d modes; %s\n", info["deformation_modes"].get<int>(), model.num_modes,
+                    model.num_modes % 3 != 0 ? "three deformation modes make one scalar mode"
+                                             : "the kernel has no more variance to give");
+    print_info(info);
+    write_report(settings.common, info);
+}
+
+void add_build(CLI::App& parent) {
+    auto settings = std::make_shared<BuildSettings>();
+    CLI::App& command = *parent.add_subcommand("build", "build a deformation model from a template");
+    ModelSettings& model = settings->model;
+    command.add_option("--template", settings->template_path, "template mesh")->required();
+    command.add_option("--kernel", settings->kernel, "what makes two vertices move alike")
+        ->check(CLI::IsMember(keys(kernels())))
+        ->capture_default_str();
+    command.add_option("--sigma", model.sigma_mm, "length scale of the kernel, mm")->capture_default_str();
+    command.add_option("--scale", model.scale_mm, "deviation of a displacement's coordinate, mm")
+        ->capture_default_str();
+    command.add_option("--nu", model.nu, "smoothness of surface-matern")->capture_default_str();
+    command.add_option("--levels", model.levels, "sum of kernels with sigma, 2 sigma, 4 sigma, ...")
+        ->capture_default_str();
+    command.add_option("--add-kernel", settings->more_kernels, "another summand: KERNEL:SIGMA[:SCALE]");
+    command.add_option("--modes", model.num_modes, "deformation modes at most, three per scalar mode")
+        ->capture_default_str();
+    command.add_option("--tolerance", model.tolerance, "stop once this share of the variance is left");
+    command.add_option("--control-points", model.num_control_points, "0: as many as modes, at least 1000");
+    command.add_flag("--mirror", model.mirror_symmetric, "modes even or odd about the plane x = 0");
+    command.add_option("--mirror-correlation", model.mirror_correlation,
+                       "how much both sides are expected to move alike, 0 to 1 (with --mirror)");
+    command.add_option("--scale-per-vertex", settings->scales, "JSON list of one factor per vertex");
+    command.add_option("--boundary", settings->boundary, "heat at borders of the template")
+        ->check(CLI::IsMember(keys(boundaries())))
+        ->capture_default_str();
+    command.add_option("--landmarks", settings->landmarks, "landmark vertices of the template, JSON");
+    command.add_option("--zones", settings->zones, "zones of the template, JSON");
+    command.add_option("--pca", model.pca_dataset, "dataset of registered faces: adds their mean and modes");
+    command.add_option("--pca-modes", model.pca_modes, "0: as many as --pca-variance asks for");
+    command.add_option("--pca-variance", model.pca_variance, "share of the faces' variance kept")
+        ->capture_default_str();
+    command.add_flag("--pca-all", model.pca_all_expressions, "all faces, not the neutral ones alone");
+    command.add_flag("--pca-align", model.pca_align, "move each face rigidly onto the template first");
+    command.add_option("--out", settings->out, "model file to write")->required();
+    add_common_options(command, settings->common, true);
+    command.footer("Example: mien model build --template face.ply --kernel geodesic-se --sigma 20 --modes 999 "
+                   "--out face.safetensors");
+    command.callback([settings] { run_build(*settings); });
+}
+
+struct InfoSettings {
+    Common common;
+    std::string path;
+};
+
+void add_info(CLI::App& parent) {
+    auto settings = std::make_shared<InfoSettings>();
+    CLI::App& command = *parent.add_subcommand("info", "say what a model file holds");
+    command.add_option("model", settings->path, "model file")->required();
+    add_common_options(command, settings->common);
+    command.footer("Example: mien model info face.safetensors");
+    command.callback([settings] {
+        const Session session(settings->common.num_threads);
+        const nlohmann::json info = nlohmann::json::parse(Model::load(session, settings->path).json());
+        print_info(info);
+        write_report(settings->common, info);
+    });
+}
+
+}  // namespace
+
+void add_model_commands(CLI::App& app) {
+    CLI::App& model = *app.add_subcommand("model", "deformation models: how a template may move");
+    model.require_subcommand(1);
+    add_build(model);
+    add_info(model);
+}
 
 }  // namespace mien::cli
