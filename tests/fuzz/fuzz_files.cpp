@@ -1,0 +1,171 @@
+// Feeds damaged files to every reader: fuzz_files [iterations] [seed]. An Error or a result that
+// passes its check is right; anything else, and any allocation out of proportion to the file, is a
+// fault. The damaged file of a fault is written to the working folder.
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/safetensors.hpp"
+#include "fuzz/mutate.hpp"
+#include "mesh/cleaning.hpp"
+#include "mesh/dataset.hpp"
+#include "mesh/mesh_file.hpp"
+#include "mesh/topology.hpp"
+#include "oom/fail_nth.hpp"
+#include "unit/mesh/sample_meshes.hpp"
+#include "unit/scratch.hpp"
+
+namespace {
+
+using namespace mien;
+using namespace mien::testing;
+
+/// Readers hold a file's counts against its size: no request may exceed this many times the size.
+constexpr std::size_t kProportion = 40, kAllowance = 1 << 16;
+
+struct Seed {
+    std::string kind, bytes;
+};
+
+std::vector<Seed> make_seeds() {
+    const Context context;
+    ScratchFolder folder;
+    std::vector<Seed> seeds;
+    for (const char* kind : {"ply", "obj", "stl", "off"})
+        for (int k = 0; k < 2; ++k) {
+            const std::string path = folder / (std::string("m.") + kind);
+            write_mesh_file(path, k == 0 ? colorful() : grid(4), context);
+            seeds.push_back({kind, read_bytes(path)});
+        }
+    seeds.push_back(
+        {"ply",
+         "ply\nformat ascii 1.0\ncomment c\nelement vertex 4\nproperty float x\nproperty double y\n"
+         "property float z\nproperty float red\nproperty float green\nproperty float blue\n"
+         "property float s\nproperty float t\nelement face 2\nproperty list uchar int "
+         "vertex_indices\nproperty list uchar float texcoord\nproperty int flags\nelement "
+         "tristrips "
+         "1\nproperty list int int vertex_indices\nend_header\n0 0 0 1 0 0 0 0\n1 0 0 0 .5 0 1 0\n"
+         "1 1 0 0 0 1 1 1\n0 1 0 0 0 0 0 1\n4 0 1 2 3 8 0 0 1 0 1 1 0 1 7\n3 0 1 2 0 9\n"
+         "6 0 1 2 3 -1 0\n"});
+    std::string big =
+        "ply\nformat binary_big_endian 1.0\nelement vertex 1\nproperty short x\nproperty char y\n"
+        "property double z\nproperty list uchar ushort junk\nelement face 1\n"
+        "property list uint short vertex_index\nend_header\n";
+    big += std::string("\0\1\2\0\0\0\0\0\0\0\0\1\0\5\0\0\0\3\0\0\0\0\0\0", 24);
+    seeds.push_back({"ply", big});
+    seeds.push_back({"obj",
+                     "# c\nv 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\nvt 0 0\nvt 1 0\nvn 0 0 1\n"
+                     "g a\nf 1/1/1 2/2/1 3/1/1\nf -3//1 -2//1 -1//1\nf 1 2 \\\n3\n"});
+    seeds.push_back({"stl",
+                     "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+                     "vertex 0 1 0\nendloop\nendfacet\nendsolid a\n"});
+    seeds.push_back({"off",
+                     "STCNOFF\n3 1 0\n0 0 0 0 0 1 255 0 10 255 .5 .25\n1 0 0 0 0 1 1 2 3 255 "
+                     "1 0\n0 1 0 0 0 1 4 5 6 255 0 1\n3 0 1 2 1 0 0\n"});
+    std::string binary = "OFF BINARY\n";
+    for (std::uint32_t word :
+         {3u, 1u, 0u, 0u, 0u, 0u, 0x3f800000u, 0u, 0u, 0u, 0x3f800000u, 0u, 3u, 0u, 1u, 2u, 0u})
+        for (int shift = 24; shift >= 0; shift -= 8) binary += static_cast<char>(word >> shift);
+    seeds.push_back({"off", binary});
+
+    FaceDatasetWriter writer(tetrahedron().triangles, 4, {"neutral", "smile"});
+    writer.add(tetrahedron().vertices, 0, 0);
+    writer.add(tetrahedron().vertices, 1, 1);
+    writer.save(folder / "set", context);
+    seeds.push_back({"safetensors", read_bytes(folder / "set")});
+    return seeds;
+}
+
+void use_mesh(const TriMesh& mesh) {
+    check_mesh(mesh, "read");
+    const Context context;
+    const CleanedMesh cleaned = clean_mesh(mesh, {}, context);
+    check_mesh(cleaned.mesh, "cleaned");
+    const EdgeTable table =
+        build_edge_table(cleaned.mesh.triangles, cleaned.mesh.vertices.rows(), context);
+    border_loops(table, cleaned.mesh.triangles, cleaned.mesh.vertices.rows());
+    inspect_topology(table, cleaned.mesh.triangles, cleaned.mesh.vertices.rows());
+}
+
+/// Every byte that a tensor claims must be there.
+void use_tensors(const SafetensorsFile& file) {
+    unsigned sum = 0;
+    for (const auto& entry : file.tensors()) {
+        const auto* bytes = static_cast<const unsigned char*>(entry.second.data);
+        const std::uint64_t size = entry.second.count * dtype_bytes(entry.second.dtype);
+        for (std::uint64_t i = 0; i < size; ++i) sum += bytes[i];
+    }
+    volatile unsigned kept = sum;
+    (void)kept;
+}
+
+long num_read = 0;
+
+/// Empty when all is right.
+std::string feed(const std::string& kind, const char* data, std::size_t size,
+                 const std::string& path) {
+    const Context context;
+    try {
+        if (kind == "safetensors") {
+            SafetensorsReadOptions trusting;
+            trusting.verify_hash = false;
+            use_tensors(SafetensorsFile::from_memory(data, size, trusting, context));
+            write_bytes(path, std::string(data, size));
+            const FaceDataset set = FaceDataset::open(path, trusting, context);
+            Points face;
+            set.face(set.num_faces() - 1, face);
+            ++num_read;
+        } else {
+            const TriMesh mesh = read_mesh_memory(data, size, kind, context);
+            if (oom::control.largest > kProportion * size + kAllowance)
+                return "an allocation of " + std::to_string(oom::control.largest) + " bytes";
+            use_mesh(mesh);
+            ++num_read;
+        }
+    } catch (const Error& error) {
+        if (error.status() == Status::internal || error.what()[0] == '\0') return error.what();
+    } catch (const std::exception& error) {
+        return error.what();
+    }
+    return std::string();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const long iterations = argc > 1 ? std::atol(argv[1]) : 60000;
+    const std::uint64_t seed = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1;
+    const std::vector<Seed> seeds = make_seeds();
+    const ScratchFolder folder;
+    const std::string path = folder / "damaged";
+    long faults = 0;
+    double slowest = 0.0;
+    for (long k = 0; k < iterations && faults < 10; ++k) {
+        fuzz::Random random(seed * 0x100000001b3ULL + static_cast<std::uint64_t>(k));
+        const Seed& from = seeds[random.below(seeds.size())];
+        const std::string damaged =
+            fuzz::mutate(from.bytes, seeds[random.below(seeds.size())].bytes, random);
+        // Exactly so long, so that a sanitizer sees the first byte too far.
+        const std::unique_ptr<char[]> exact(new char[damaged.size()]);
+        std::copy(damaged.begin(), damaged.end(), exact.get());
+        oom::control.largest = 0;
+        oom::control.refuse_above = std::size_t(1) << 28;
+        const auto begin = std::chrono::steady_clock::now();
+        const std::string fault = feed(from.kind, exact.get(), damaged.size(), path);
+        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+        slowest = std::max(slowest, taken.count());
+        if (fault.empty()) continue;
+        ++faults;
+        const std::string name = "fault-" + std::to_string(k) + "." + from.kind;
+        write_bytes(name, damaged);
+        std::printf("iteration %ld (%s): %s; see %s\n", k, from.kind.c_str(), fault.c_str(),
+                    name.c_str());
+    }
+    std::printf("%ld damaged files, %ld read all the same, %ld faults, slowest %.1f ms\n",
+                iterations, num_read, faults, 1e3 * slowest);
+    return faults == 0 ? 0 : 1;
+}
