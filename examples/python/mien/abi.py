@@ -1,0 +1,443 @@
+"""Structs, constants and signatures of the C headers. Written by abi/generate_bindings.py."""
+import ctypes
+
+ProgressFn = ctypes.CFUNCTYPE(ctypes.c_int32, ctypes.c_void_p, ctypes.c_int32, ctypes.c_double)
+LogFn = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_int32, ctypes.c_char_p)
+
+MIEN_OK = 0
+MIEN_E_INVALID_ARGUMENT = -1
+MIEN_E_INVALID_HANDLE = -2
+MIEN_E_INVALID_MESH = -3
+MIEN_E_BUFFER_TOO_SMALL = -4
+MIEN_E_UNSUPPORTED_OPTION = -5
+MIEN_E_UNSUPPORTED_VERSION = -6
+MIEN_E_NO_MEMORY = -7
+MIEN_E_MEMORY_BUDGET = -8
+MIEN_E_IO = -9
+MIEN_E_BAD_FORMAT = -10
+MIEN_E_CORRUPT = -11
+MIEN_E_WRONG_KIND = -12
+MIEN_E_MISMATCH = -13
+MIEN_E_NO_SOLUTION = -14
+MIEN_E_NOT_FOUND = -15
+MIEN_E_CANCELLED = -16
+MIEN_E_CALLBACK = -17
+MIEN_E_INTERNAL = -18
+MIEN_STAGE_READING = 1
+MIEN_STAGE_GEODESICS = 2
+MIEN_STAGE_BASIS = 3
+MIEN_STAGE_ALIGNMENT = 4
+MIEN_STAGE_FITTING = 5
+MIEN_STAGE_REFINING = 6
+MIEN_STAGE_TRAINING = 7
+MIEN_STAGE_NEUTRALIZING = 8
+MIEN_STAGE_MEASURING = 9
+MIEN_STAGE_WRITING = 10
+MIEN_LOG_ERROR = 1
+MIEN_LOG_WARNING = 2
+MIEN_LOG_INFO = 3
+MIEN_LOG_DEBUG = 4
+MIEN_DTYPE_F32 = 1
+MIEN_DTYPE_F64 = 2
+MIEN_DTYPE_I32 = 3
+MIEN_DTYPE_U32 = 4
+MIEN_DTYPE_U8 = 5
+MIEN_KERNEL_NONE = 0
+MIEN_KERNEL_EUCLIDEAN_SE = 1
+MIEN_KERNEL_GEODESIC_SE = 2
+MIEN_KERNEL_BSPLINE = 3
+MIEN_KERNEL_SURFACE_MATERN = 4
+MIEN_HEAT_NEUMANN = 1
+MIEN_HEAT_DIRICHLET = 2
+MIEN_HEAT_AVERAGE = 3
+MIEN_GROWTH_CONSTANT = 0
+MIEN_GROWTH_LINEAR = 1
+MIEN_GROWTH_EXPONENTIAL = 2
+MIEN_GROWTH_CUBIC = 3
+MIEN_START_AUTOMATIC = 0
+MIEN_START_LANDMARKS = 1
+MIEN_START_POSE = 2
+MIEN_START_SEARCH = 3
+MIEN_UNITS_DETECT = 0
+MIEN_UNITS_MILLIMETRES = 1
+MIEN_UNITS_REFUSE = 2
+MIEN_FIT_GOOD = 0
+MIEN_FIT_DOUBTFUL = 1
+MIEN_FIT_FAILED = 2
+MIEN_FIELD_RESIDUAL_MM = 1
+MIEN_FIELD_WEIGHT = 2
+MIEN_FIELD_STANDARD_DEVIATION_MM = 3
+MIEN_FIELD_RADIUS95_MM = 4
+MIEN_TRAIN_JPCA = 0
+MIEN_TRAIN_QOJPCA = 1
+MIEN_FIT_MIXTURE = 0
+MIEN_FIT_MAP = 1
+MIEN_FIT_EXACT = 2
+MIEN_FIT_ALTERNATING = 3
+MIEN_POSE_AUTO = 0
+MIEN_POSE_KEEP = 1
+MIEN_POSE_RIGID = 2
+MIEN_ZONE_WHOLE = -1
+MIEN_ZONE_REST = -2
+MIEN_FIELD_SIGNED_DISTANCE_MM = 1
+MIEN_FIELD_DISTANCE_MM = 2
+MIEN_FIELD_POSITIVE_VOLUME_MM3 = 3
+MIEN_FIELD_NEGATIVE_VOLUME_MM3 = 4
+MIEN_ABI_VERSION = 0
+
+
+class Error(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("status", ctypes.c_int32),
+        ("detail_index", ctypes.c_int64),
+        ("message", ctypes.c_char * 256),
+    ]
+
+
+class SessionOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("num_threads", ctypes.c_int32),
+        ("max_bytes", ctypes.c_uint64),
+        ("log", LogFn),
+        ("log_user", ctypes.c_void_p),
+    ]
+
+
+class ArrayView(ctypes.Structure):
+    _fields_ = [
+        ("data", ctypes.c_void_p),
+        ("count", ctypes.c_uint64),
+        ("stride_bytes", ctypes.c_uint64),
+        ("dtype", ctypes.c_int32),
+        ("reserved", ctypes.c_int32),
+    ]
+
+
+class MeshArrays(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("reserved", ctypes.c_uint32),
+        ("positions", ArrayView),
+        ("triangles", ctypes.c_void_p),
+        ("triangle_count", ctypes.c_uint64),
+        ("colors", ctypes.c_void_p),
+    ]
+
+
+class Kernel(ctypes.Structure):
+    _fields_ = [
+        ("kind", ctypes.c_int32),
+        ("reserved", ctypes.c_int32),
+        ("sigma_mm", ctypes.c_double),
+        ("scale_mm", ctypes.c_double),
+        ("nu", ctypes.c_double),
+    ]
+
+
+class Landmark(ctypes.Structure):
+    _fields_ = [
+        ("name", ctypes.c_char_p),
+        ("vertex", ctypes.c_uint32),
+        ("reserved", ctypes.c_uint32),
+    ]
+
+
+class Zone(ctypes.Structure):
+    _fields_ = [
+        ("name", ctypes.c_char_p),
+        ("vertices", ctypes.c_void_p),
+        ("vertex_count", ctypes.c_uint64),
+    ]
+
+
+class ModelOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("kernel", ctypes.c_int32),
+        ("sigma_mm", ctypes.c_double),
+        ("scale_mm", ctypes.c_double),
+        ("nu", ctypes.c_double),
+        ("levels", ctypes.c_int32),
+        ("num_modes", ctypes.c_int32),
+        ("kernels", ctypes.POINTER(Kernel)),
+        ("kernel_count", ctypes.c_uint64),
+        ("tolerance", ctypes.c_double),
+        ("num_control_points", ctypes.c_int32),
+        ("mirror_symmetric", ctypes.c_int32),
+        ("mirror_correlation", ctypes.c_double),
+        ("eigenvalue_threshold", ctypes.c_double),
+        ("heat_time_factor", ctypes.c_double),
+        ("heat_boundary", ctypes.c_int32),
+        ("pca_modes", ctypes.c_int32),
+        ("pca_dataset", ctypes.c_char_p),
+        ("pca_variance", ctypes.c_double),
+        ("pca_all_expressions", ctypes.c_int32),
+        ("pca_align", ctypes.c_int32),
+        ("scale_per_vertex", ArrayView),
+        ("landmarks", ctypes.POINTER(Landmark)),
+        ("landmark_count", ctypes.c_uint64),
+        ("zones", ctypes.POINTER(Zone)),
+        ("zone_count", ctypes.c_uint64),
+        ("progress", ProgressFn),
+        ("progress_user", ctypes.c_void_p),
+        ("cancel", ctypes.c_void_p),
+    ]
+
+
+class ScanLandmark(ctypes.Structure):
+    _fields_ = [
+        ("name", ctypes.c_char_p),
+        ("position", ctypes.c_double * 3),
+    ]
+
+
+class RegisterOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("growth", ctypes.c_int32),
+        ("landmarks", ctypes.POINTER(ScanLandmark)),
+        ("landmark_count", ctypes.c_uint64),
+        ("landmark_sigma_mm", ctypes.c_double),
+        ("start", ctypes.c_int32),
+        ("units", ctypes.c_int32),
+        ("scan_weights", ArrayView),
+        ("skin_weights", ctypes.c_int32),
+        ("close_gap", ctypes.c_int32),
+        ("max_scalar_modes", ctypes.c_int32),
+        ("max_pca_modes", ctypes.c_int32),
+        ("iterations", ctypes.c_int32),
+        ("reject_border", ctypes.c_int32),
+        ("sigma_start_mm", ctypes.c_double),
+        ("sigma_end_mm", ctypes.c_double),
+        ("max_angle_deg", ctypes.c_double),
+        ("start_rotation", ctypes.c_double * 9),
+        ("start_translation", ctypes.c_double * 3),
+        ("start_scale", ctypes.c_double),
+        ("progress", ProgressFn),
+        ("progress_user", ctypes.c_void_p),
+        ("cancel", ctypes.c_void_p),
+    ]
+
+
+class FitVerdict(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("quality", ctypes.c_int32),
+        ("coverage", ctypes.c_double),
+        ("inlier_share", ctypes.c_double),
+        ("mean_residual_mm", ctypes.c_double),
+        ("landmark_rms_mm", ctypes.c_double),
+        ("size_ratio", ctypes.c_double),
+        ("mean_deviation", ctypes.c_double),
+        ("unit_to_mm", ctypes.c_double),
+        ("landmarks_used", ctypes.c_int32),
+        ("landmarks_rejected", ctypes.c_int32),
+        ("flipped_triangles", ctypes.c_int32),
+        ("self_intersections", ctypes.c_int32),
+    ]
+
+
+class TrainOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("method", ctypes.c_int32),
+        ("identity_modes", ctypes.c_int32),
+        ("expression_modes", ctypes.c_int32),
+        ("max_iterations", ctypes.c_int32),
+        ("passes", ctypes.c_int32),
+        ("lambda", ctypes.c_double),
+        ("lambda_factor", ctypes.c_double),
+        ("angle_tolerance_rad", ctypes.c_double),
+        ("noise_mm2", ctypes.c_double),
+        ("stable_vertices", ctypes.c_void_p),
+        ("stable_count", ctypes.c_uint64),
+        ("progress", ProgressFn),
+        ("progress_user", ctypes.c_void_p),
+        ("cancel", ctypes.c_void_p),
+    ]
+
+
+class NeutralizeOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("method", ctypes.c_int32),
+        ("max_sweeps", ctypes.c_int32),
+        ("uncertainty", ctypes.c_int32),
+        ("pose", ctypes.c_int32),
+        ("reserved", ctypes.c_uint32),
+        ("tolerance_mm", ctypes.c_double),
+        ("noise_mm2", ctypes.c_double),
+        ("decay_mm", ctypes.c_double),
+        ("weights", ArrayView),
+        ("progress", ProgressFn),
+        ("progress_user", ctypes.c_void_p),
+        ("cancel", ctypes.c_void_p),
+    ]
+
+
+class EvaluateOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("method", ctypes.c_int32),
+        ("max_sweeps", ctypes.c_int32),
+        ("against_method", ctypes.c_int32),
+        ("against_max_sweeps", ctypes.c_int32),
+        ("reserved", ctypes.c_uint32),
+        ("against", ctypes.c_void_p),
+        ("zone_vertices", ctypes.c_void_p),
+        ("zone_count", ctypes.c_uint64),
+        ("stable_vertices", ctypes.c_void_p),
+        ("stable_count", ctypes.c_uint64),
+        ("progress", ProgressFn),
+        ("progress_user", ctypes.c_void_p),
+        ("cancel", ctypes.c_void_p),
+    ]
+
+
+class MeasureZone(ctypes.Structure):
+    _fields_ = [
+        ("name", ctypes.c_char_p),
+        ("vertices", ctypes.c_void_p),
+        ("vertex_count", ctypes.c_uint64),
+    ]
+
+
+class MeasureOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("skip_borders", ctypes.c_int32),
+        ("zones", ctypes.POINTER(MeasureZone)),
+        ("zone_count", ctypes.c_uint64),
+        ("before_sd", ArrayView),
+        ("after_sd", ArrayView),
+        ("correlation_length_mm", ctypes.c_double),
+        ("alignment_rotation_sd_rad", ctypes.c_double),
+        ("alignment_translation_sd_mm", ctypes.c_double),
+        ("alignment_centre", ctypes.c_double * 3),
+        ("common_bias_mm", ctypes.c_double),
+        ("limit_of_detection_ml", ctypes.c_double),
+        ("max_distance_mm", ctypes.c_double),
+        ("progress", ProgressFn),
+        ("progress_user", ctypes.c_void_p),
+        ("cancel", ctypes.c_void_p),
+    ]
+
+
+class ZoneVolume(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("detected", ctypes.c_int32),
+        ("signed_ml", ctypes.c_double),
+        ("positive_ml", ctypes.c_double),
+        ("negative_ml", ctypes.c_double),
+        ("absolute_ml", ctypes.c_double),
+        ("sd_ml", ctypes.c_double),
+        ("low95_ml", ctypes.c_double),
+        ("high95_ml", ctypes.c_double),
+        ("area_before_mm2", ctypes.c_double),
+        ("area_after_mm2", ctypes.c_double),
+    ]
+
+
+class ZoneDistance(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("reserved", ctypes.c_uint32),
+        ("mean_signed_mm", ctypes.c_double),
+        ("sd_signed_mm", ctypes.c_double),
+        ("mean_absolute_mm", ctypes.c_double),
+        ("rms_mm", ctypes.c_double),
+        ("mean_length_mm", ctypes.c_double),
+        ("median_length_mm", ctypes.c_double),
+        ("p95_length_mm", ctypes.c_double),
+        ("max_length_mm", ctypes.c_double),
+        ("vertex_count", ctypes.c_uint64),
+    ]
+
+
+SIGNATURES = {
+    "mien_status_name": (ctypes.c_char_p, [ctypes.c_int32]),
+    "mien_version_number": (ctypes.c_uint32, []),
+    "mien_version_string": (ctypes.c_char_p, []),
+    "mien_build_id": (ctypes.c_char_p, []),
+    "mien_session_options_init": (None, [ctypes.POINTER(SessionOptions), ctypes.c_size_t]),
+    "mien_session_create": (ctypes.c_int32, [ctypes.c_uint32, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_session_create_with_options": (ctypes.c_int32, [ctypes.c_uint32, ctypes.POINTER(SessionOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_session_release": (None, [ctypes.c_void_p]),
+    "mien_cancel_create": (ctypes.c_int32, [ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_cancel_request": (None, [ctypes.c_void_p]),
+    "mien_cancel_release": (None, [ctypes.c_void_p]),
+    "mien_mesh_arrays_init": (None, [ctypes.POINTER(MeshArrays), ctypes.c_size_t]),
+    "mien_mesh_create": (ctypes.c_int32, [ctypes.c_void_p, ctypes.POINTER(MeshArrays), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_mesh_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_mesh_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
+    "mien_mesh_get_counts": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_mesh_get_positions": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_mesh_get_triangles": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_mesh_get_colors": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_mesh_positions_view": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_mesh_retain": (None, [ctypes.c_void_p]),
+    "mien_mesh_release": (None, [ctypes.c_void_p]),
+    "mien_dataset_writer_create": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ctypes.c_char_p), ctypes.c_uint32, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_dataset_writer_add": (ctypes.c_int32, [ctypes.c_void_p, ctypes.POINTER(ArrayView), ctypes.c_int32, ctypes.c_int32, ctypes.POINTER(Error)]),
+    "mien_dataset_writer_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
+    "mien_dataset_writer_release": (None, [ctypes.c_void_p]),
+    "mien_model_options_init": (None, [ctypes.POINTER(ModelOptions), ctypes.c_size_t]),
+    "mien_model_build": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ModelOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_model_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_model_load_trusted": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_model_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
+    "mien_model_get_counts": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_model_get_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_model_mesh": (ctypes.c_void_p, [ctypes.c_void_p]),
+    "mien_model_retain": (None, [ctypes.c_void_p]),
+    "mien_model_release": (None, [ctypes.c_void_p]),
+    "mien_register_options_init": (None, [ctypes.POINTER(RegisterOptions), ctypes.c_size_t]),
+    "mien_register": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(RegisterOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_registration_mesh": (ctypes.c_void_p, [ctypes.c_void_p]),
+    "mien_registration_get_verdict": (ctypes.c_int32, [ctypes.c_void_p, ctypes.POINTER(FitVerdict), ctypes.POINTER(Error)]),
+    "mien_registration_get_field": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_registration_get_correspondence": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_registration_get_motion": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_registration_get_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_registration_retain": (None, [ctypes.c_void_p]),
+    "mien_registration_release": (None, [ctypes.c_void_p]),
+    "mien_train_options_init": (None, [ctypes.POINTER(TrainOptions), ctypes.c_size_t]),
+    "mien_neutralize_options_init": (None, [ctypes.POINTER(NeutralizeOptions), ctypes.c_size_t]),
+    "mien_evaluate_options_init": (None, [ctypes.POINTER(EvaluateOptions), ctypes.c_size_t]),
+    "mien_expression_model_train": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(TrainOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_expression_model_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_expression_model_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
+    "mien_expression_model_retain": (None, [ctypes.c_void_p]),
+    "mien_expression_model_release": (None, [ctypes.c_void_p]),
+    "mien_expression_model_get_counts": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_expression_model_get_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_expression_model_synthesize": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ArrayView), ctypes.POINTER(ArrayView), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_expression_model_sample": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_neutralize": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(NeutralizeOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_neutralize_mesh": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(NeutralizeOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_neutralization_apply_to_scan": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_double, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_expression_model_transfer": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_evaluate_neutralization": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(EvaluateOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_evaluation_get_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_evaluation_release": (None, [ctypes.c_void_p]),
+    "mien_neutralization_mesh": (ctypes.c_void_p, [ctypes.c_void_p]),
+    "mien_neutralization_get_coordinates": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_neutralization_get_uncertainty": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_neutralization_get_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_neutralization_release": (None, [ctypes.c_void_p]),
+    "mien_measure_options_init": (None, [ctypes.POINTER(MeasureOptions), ctypes.c_size_t]),
+    "mien_measure_volume": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(MeasureOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_measure_distance": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(MeasureOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_measure_surface_distance": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(MeasureOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_measure_closed_volume": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_measure_area": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(MeasureZone), ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_measurement_get_zones": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_measurement_get_volume": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.POINTER(ZoneVolume), ctypes.POINTER(Error)]),
+    "mien_measurement_get_distance": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.POINTER(ZoneDistance), ctypes.POINTER(Error)]),
+    "mien_measurement_get_field": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_measurement_get_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_measurement_release": (None, [ctypes.c_void_p]),
+}
