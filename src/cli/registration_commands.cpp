@@ -1,7 +1,97 @@
+#include <algorithm>
+
 #include "commands.hpp"
 
 namespace mien::cli {
+namespace {
 
-void add_registration_commands(CLI::App&) {}
+struct RegisterArguments {
+    std::string model, scan, landmarks, weights = "none", growth = "constant", out, heatmap;
+    double landmark_sigma = 2;
+    std::string units = "detect", start = "automatic";
+    int max_modes = -1, max_pca_modes = -1, iterations = 0;
+    bool no_close_gap = false;
+    Common common;
+};
+
+int choice(const std::string& value, const std::vector<std::string>& names) {
+    return static_cast<int>(std::find(names.begin(), names.end(), value) - names.begin());
+}
+
+std::vector<double> read_weights(const std::string& path) {
+    const nlohmann::json file = read_json(path);
+    const nlohmann::json& list = file.is_object() && file.contains("weights") ? file["weights"] : file;
+    if (!list.is_array()) throw std::runtime_error(path + ": expected [w, ...] or {\"weights\": [w, ...]}");
+    std::vector<double> weights;
+    for (const nlohmann::json& value : list) {
+        if (!value.is_number()) throw std::runtime_error(path + ": " + value.dump() + " is not a weight");
+        weights.push_back(value.get<double>());
+    }
+    return weights;
+}
+
+void run_register(const RegisterArguments& arguments) {
+    const Session session(arguments.common.num_threads);
+    const Model model(session, arguments.model);
+    const Mesh scan(session, arguments.scan);
+    RegisterOptions options;
+    if (!arguments.landmarks.empty())
+        for (const NamedPoint& point : read_landmark_points(arguments.landmarks))
+            options.landmarks.push_back({point.name, point.point});
+    if (arguments.weights == "skin")
+        options.c.skin_weights = 1;
+    else if (arguments.weights != "none")
+        options.scan_weights = read_weights(arguments.weights);
+    options.c.growth = choice(arguments.growth, {"constant", "linear", "exponential", "cubic"});
+    options.c.units = choice(arguments.units, {"detect", "mm", "refuse"});
+    options.c.start = choice(arguments.start, {"automatic", "landmarks", "pose", "search"});
+    options.c.landmark_sigma_mm = arguments.landmark_sigma;
+    options.c.max_scalar_modes = arguments.max_modes;
+    options.c.max_pca_modes = arguments.max_pca_modes;
+    options.c.iterations = arguments.iterations;
+    options.c.close_gap = arguments.no_close_gap ? 0 : 1;
+    options.progress = progress_bar();
+    const Registration fit(session, model, scan, options);
+    fit.mesh().save(session, arguments.out);
+    nlohmann::json report = nlohmann::json::parse(fit.json());
+    report["out"] = arguments.out;
+    if (!arguments.common.json_path.empty()) {
+        report["residual_mm"] = fit.field(MIEN_FIELD_RESIDUAL_MM);
+        report["weight"] = fit.field(MIEN_FIELD_WEIGHT);
+        report["radius95_mm"] = fit.field(MIEN_FIELD_RADIUS95_MM);
+    }
+    write_report(arguments.common, report);
+    std::string line = "quality " + report["quality"].get<std::string>();
+    for (const auto& reason : report["reasons"]) line += "; " + reason.get<std::string>();
+    std::puts(line.c_str());
+}
+
+}  // namespace
+
+void add_registration_commands(CLI::App& app) {
+    auto* command = app.add_subcommand("register", "fit a model's template to a scan");
+    auto arguments = std::make_shared<RegisterArguments>();
+    command->add_option("--model", arguments->model, "deformation model")->required();
+    command->add_option("--scan", arguments->scan, "PLY, OBJ, STL or OFF")->required();
+    command->add_option("--landmarks", arguments->landmarks, "JSON {\"points\": {name: [x, y, z]}}");
+    command->add_option("--landmark-sigma", arguments->landmark_sigma, "picking error in mm")->capture_default_str();
+    command->add_option("--weights", arguments->weights, "skin, none, or a JSON list with one weight per scan vertex")
+        ->capture_default_str();
+    command->add_option("--growth", arguments->growth, "how modes grow over the rounds")
+        ->check(CLI::IsMember({"constant", "linear", "exponential", "cubic"}))->capture_default_str();
+    command->add_option("--units", arguments->units, "detect the scan's unit, take it as mm, or refuse others")
+        ->check(CLI::IsMember({"detect", "mm", "refuse"}))->capture_default_str();
+    command->add_option("--start", arguments->start, "where the fit begins")
+        ->check(CLI::IsMember({"automatic", "landmarks", "search"}))->capture_default_str();
+    command->add_option("--max-modes", arguments->max_modes, "scalar kernel modes used, -1: all")->capture_default_str();
+    command->add_option("--max-pca-modes", arguments->max_pca_modes, "trained modes used, -1: all")->capture_default_str();
+    command->add_option("--iterations", arguments->iterations, "rounds, 0: the library's choice")->capture_default_str();
+    command->add_flag("--no-close-gap", arguments->no_close_gap, "stay within the span of the model");
+    command->add_option("--out", arguments->out, "fitted template")->required();
+    command->add_option("--heatmap", arguments->heatmap, "PNG of the distance to the scan");
+    add_common_options(*command, arguments->common);
+    command->footer("Example: mien register --model face.safetensors --scan scan.ply --out fitted.ply --json fit.json");
+    command->callback([arguments] { run_register(*arguments); });
+}
 
 }  // namespace mien::cli

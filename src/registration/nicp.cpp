@@ -17,14 +17,47 @@ Similarity compose(const Similarity& outer, const Similarity& inner) {
     return both;
 }
 
+Vector3 rest_place(const DeformationModel& model, Index vertex) {
+    Vector3 place = model.template_mesh.vertices.row(vertex).transpose();
+    if (model.mean_displacement.rows() > 0) place += model.mean_displacement.row(vertex).transpose();
+    return place;
+}
+
+// row_of: row of each vertex in the terms, or -1.
 void add_pins(const DeformationModel& model, const std::vector<Pin>& pins, const Similarity& to_model,
-              FitTerms& terms) {
-    for (const Pin& pin : pins) {
-        Vector3 start = model.template_mesh.vertices.row(pin.vertex).transpose();
-        if (model.mean_displacement.rows() > 0) start += model.mean_displacement.row(pin.vertex).transpose();
-        terms.add_isotropic(pin.vertex, 1 / (pin.sigma_mm * pin.sigma_mm),
-                            to_model.apply(pin.place) - start);
-    }
+              const std::vector<Index>& row_of, FitTerms& terms) {
+    for (const Pin& pin : pins)
+        terms.add_isotropic(row_of[static_cast<std::size_t>(pin.vertex)], 1 / (pin.sigma_mm * pin.sigma_mm),
+                            to_model.apply(pin.place) - rest_place(model, pin.vertex));
+}
+
+// About one vertex in `stride`, spread by a hash of the index, and every pinned vertex; ascending.
+std::vector<Index> choose_rows(Index num_vertices, Index stride, const std::vector<Pin>& pins) {
+    std::vector<std::uint8_t> take(static_cast<std::size_t>(num_vertices), 0);
+    for (std::size_t i = 0; i < take.size(); ++i)
+        take[i] = ((static_cast<std::uint32_t>(i) * 2654435761u) >> 16) % static_cast<std::uint32_t>(stride) == 0;
+    for (const Pin& pin : pins) take[static_cast<std::size_t>(pin.vertex)] = 1;
+    std::vector<Index> rows;
+    for (std::size_t i = 0; i < take.size(); ++i)
+        if (take[i]) rows.push_back(static_cast<Index>(i));
+    return rows;
+}
+
+// Points the solver at every stride-th vertex (1: all) and tells where each vertex's row is.
+std::vector<Index> use_stride(const DeformationModel& model, Index stride, const std::vector<Pin>& pins,
+                              const FitCoefficients& coefficients, FitSolver& solver, const Context& context) {
+    std::vector<Index> rows;
+    if (stride > 1) rows = choose_rows(model.num_vertices(), stride, pins);
+    solver.use_rows(rows, coefficients.kernel.rows(), coefficients.pca.size(), context);
+    std::vector<Index> row_of(static_cast<std::size_t>(model.num_vertices()), -1);
+    for (Index row = 0; row < solver.num_rows(); ++row) row_of[static_cast<std::size_t>(solver.vertex(row))] = row;
+    return row_of;
+}
+
+Points pick_rows(const Points& points, const FitSolver& solver) {
+    Points picked(solver.num_rows(), 3);
+    for (Index row = 0; row < picked.rows(); ++row) picked.row(row) = points.row(solver.vertex(row));
+    return picked;
 }
 
 void move_places(const DeformationModel& model, const FitSolver& solver, FitState& state,
@@ -60,11 +93,15 @@ void fit_pins(const DeformationModel& model, const std::vector<Pin>& pins,
     step.move = options.estimate_motion;
     step.scale = options.estimate_scale;
     move_places(model, solver, state, context);
+    // Nothing but the pins speaks, so a handful of other vertices is enough to hold the motion's centre.
+    const std::vector<Index> row_of =
+        use_stride(model, std::max<Index>(1, model.num_vertices() / 500), pins, state.coefficients, solver, context);
     for (int round = 0; round < 3; ++round) {
         FitTerms terms;
-        terms.reset(model.num_vertices());
-        add_pins(model, pins, state.motion.inverse(), terms);
-        const Points current = model.template_mesh.vertices + state.displacement;
+        terms.reset(solver.num_rows());
+        add_pins(model, pins, state.motion.inverse(), row_of, terms);
+        const Points current =
+            pick_rows(model.template_mesh.vertices + state.displacement, solver);
         const Similarity motion = solver.step(terms, current, step, state.coefficients, context);
         state.motion = compose(state.motion, motion);
         move_places(model, solver, state, context);
@@ -74,7 +111,6 @@ void fit_pins(const DeformationModel& model, const std::vector<Pin>& pins,
 void fit_surface(const DeformationModel& model, const ScanSurface& scan, const Vector& scan_weight,
                  const std::vector<Pin>& pins, const RegistrationOptions& options, FitState& state,
                  const Context& context) {
-    const Index n = model.num_vertices();
     FitSolver solver(model);
     FitStepOptions step;
     step.pca_modes = state.coefficients.pca.size();
@@ -86,37 +122,46 @@ void fit_surface(const DeformationModel& model, const ScanSurface& scan, const V
 
     CorrespondenceOptions match = options.correspondence;
     FitTerms terms;
+    Index stride = 0;
+    std::vector<Index> row_of;
     const int rounds = std::max(1, options.iterations);
     for (int round = 0; round < rounds; ++round) {
         context.progress(Stage::fitting, static_cast<double>(round) / rounds);
         const double f = rounds > 1 ? static_cast<double>(round) / (rounds - 1) : 1;
         const double sigma =
             options.sigma_start_mm * std::pow(options.sigma_end_mm / options.sigma_start_mm, f);
+        const Index wanted = f < options.sparse_rounds ? options.sparse_stride : 1;
+        if (wanted != stride) {
+            stride = wanted;
+            row_of = use_stride(model, stride, pins, state.coefficients, solver, context);
+            state.matches.hits.clear();
+        }
         step.scalar_modes = modes_at(options.growth, f, 10, state.coefficients.kernel.rows());
+        step.tolerance = f < 1 ? options.solver_tolerance : 0.1 * options.solver_tolerance;
         state.coefficients.kernel.bottomRows(state.coefficients.kernel.rows() - step.scalar_modes).setZero();
         match.robust_scale_mm = options.robust_factor * sigma;
         match.max_distance_mm = std::min(options.correspondence.max_distance_mm, 4 * match.robust_scale_mm);
 
-        const Points place_normals = vertex_normals(state.places, model.template_mesh.triangles);
-        find_correspondences(scan, state.places, place_normals, scan_weight, match, state.matches, context);
+        const Points place_normals = pick_rows(vertex_normals(state.places, model.template_mesh.triangles), solver);
+        find_correspondences(scan, pick_rows(state.places, solver), place_normals, scan_weight, match,
+                             state.matches, context);
 
         const Similarity to_model = state.motion.inverse();
-        terms.reset(n);
+        terms.reset(solver.num_rows());
         double energy = 0;
-        const double precision = options.data_weight / (sigma * sigma);
-        for (Index i = 0; i < n; ++i) {
-            const double weight = state.matches.weight[i];
+        const double precision = options.data_weight * static_cast<double>(stride) / (sigma * sigma);
+        for (Index row = 0; row < solver.num_rows(); ++row) {
+            const double weight = state.matches.weight[row];
             if (!(weight > 0)) continue;
-            const SurfaceHit& hit = state.matches.hits[static_cast<std::size_t>(i)];
-            const Vector3 normal = to_model.rotation * state.matches.normals.row(i).transpose();
-            Vector3 target = to_model.apply(hit.point) - model.template_mesh.vertices.row(i).transpose();
-            if (model.mean_displacement.rows() > 0) target -= model.mean_displacement.row(i).transpose();
-            terms.add_planar(i, weight * precision, options.tangential, normal, target);
+            const SurfaceHit& hit = state.matches.hits[static_cast<std::size_t>(row)];
+            const Vector3 normal = to_model.rotation * state.matches.normals.row(row).transpose();
+            terms.add_planar(row, weight * precision, options.tangential, normal,
+                             to_model.apply(hit.point) - rest_place(model, solver.vertex(row)));
             energy += weight * hit.squared_distance;
         }
-        add_pins(model, pins, to_model, terms);
+        add_pins(model, pins, to_model, row_of, terms);
         const Points before = state.places;
-        const Points current = model.template_mesh.vertices + state.displacement;
+        const Points current = pick_rows(model.template_mesh.vertices + state.displacement, solver);
         const Similarity motion = solver.step(terms, current, step, state.coefficients, context);
         state.motion = compose(state.motion, motion);
         move_places(model, solver, state, context);
@@ -127,7 +172,7 @@ void fit_surface(const DeformationModel& model, const ScanSurface& scan, const V
         context.log(LogLevel::debug, "round %d: sigma %.3f mm, %lld modes, energy %.4f, moved %.4f mm, %d steps",
                     round, sigma, static_cast<long long>(step.scalar_modes), state.energy.back(), movement,
                     solver.iterations());
-        if (round + 1 == rounds || (f >= 1 && movement < options.stop_movement_mm)) break;
+        if (f >= 1 && movement < options.stop_movement_mm) break;
     }
     state.final_weight = state.matches.weight;
     context.progress(Stage::fitting, 1);

@@ -45,6 +45,43 @@ std::vector<Pin> match_landmarks(const DeformationModel& model, const std::vecto
     return pins;
 }
 
+// Fills the verdict's measures from the finished fit.
+void assess(const DeformationModel& model, const ScanSurface& scan, const std::vector<Pin>& pins,
+            const FitState& state, RegistrationResult& result) {
+    Verdict& v = result.verdict;
+    const Index n = model.num_vertices();
+    const double near = 3 * std::max(result.sigma_mm, 1.0);
+    Index beside = 0, inliers = 0;
+    double residual = 0;
+    for (Index i = 0; i < n; ++i) {
+        const SurfaceHit& hit = state.matches.hits[static_cast<std::size_t>(i)];
+        if (!hit.valid() || scan.at_border(hit) || hit.distance() > 10) continue;
+        ++beside;
+        if (hit.distance() > near) continue;
+        ++inliers;
+        residual += hit.distance();
+    }
+    v.coverage = static_cast<double>(beside) / static_cast<double>(n);
+    v.inlier_share = beside > 0 ? static_cast<double>(inliers) / static_cast<double>(beside) : 0;
+    v.mean_residual_mm = inliers > 0 ? residual / static_cast<double>(inliers) : 0;
+    double squares = 0;
+    for (const Pin& pin : pins) squares += (state.places.row(pin.vertex).transpose() - pin.place).squaredNorm();
+    v.landmarks_used = static_cast<int>(pins.size());
+    v.landmark_rms_mm = pins.empty() ? 0 : std::sqrt(squares / static_cast<double>(pins.size()));
+    const auto spread = [](const Points& points) {
+        return std::sqrt((points.rowwise() - points.colwise().mean()).rowwise().squaredNorm().mean());
+    };
+    v.size_ratio = spread(state.places) / spread(model.template_mesh.vertices);
+    double deviation = 0;
+    const FitCoefficients& c = state.coefficients;
+    if (c.pca.size() > 0) deviation = std::sqrt(c.pca.squaredNorm() / static_cast<double>(c.pca.size()));
+    if (c.kernel.size() > 0)
+        deviation = std::max<double>(deviation, std::sqrt(c.kernel.squaredNorm() / static_cast<double>(c.kernel.size())) /
+                                                    state.kernel_amplitude);
+    v.mean_deviation = deviation;
+    judge(v, VerdictLimits());
+}
+
 }  // namespace
 
 RegistrationResult register_scan(const DeformationModel& model, const TriMesh& scan_mesh,
@@ -82,11 +119,13 @@ RegistrationResult register_scan(const DeformationModel& model, const TriMesh& s
     context.progress(Stage::alignment, 1);
     fit_surface(model, scan, Vector(), pins, options, state, context);
 
+    result.sigma_mm = state.sigma_mm;
     result.fitted = model.template_mesh;
     result.fitted.vertices = state.places;
     result.fitted.colors.resize(0, 3);
     result.weight = state.final_weight;
     const Points normals = vertex_normals(state.places, model.template_mesh.triangles);
+    state.matches.hits.clear();
     scan.tree.closest(state.places, 1e30, state.matches.hits, context);
     result.residual_mm.resize(n);
     for (Index i = 0; i < n; ++i) {
@@ -95,11 +134,11 @@ RegistrationResult register_scan(const DeformationModel& model, const TriMesh& s
         result.residual_mm[i] = side < 0 ? -hit.distance() : hit.distance();
     }
     result.confidence_mm = Vector::Zero(n);
-    result.correspondence = std::move(state.matches.hits);
+    assess(model, scan, pins, state, result);
+    result.correspondence = state.matches.hits;
     result.energy = std::move(state.energy);
     result.motion = state.motion;
     result.iterations = state.iterations;
-    result.sigma_mm = state.sigma_mm;
     return result;
 }
 

@@ -9,29 +9,55 @@
 #include "mesh/tri_mesh.hpp"
 #include "model/deformation_model.hpp"
 #include "registration/correspondence.hpp"
+#include "registration/verdict.hpp"
 
 namespace mien {
 
-enum class ModeGrowth { constant, linear, exponential, cubic };
+/// The numbers are the C ABI's numbers.
+enum class ModeGrowth : std::int32_t { constant = 0, linear = 1, exponential = 2, cubic = 3 };
+
+/// Where a fit begins.
+enum class StartKind : std::int32_t {
+    automatic = 0,  ///< landmarks when at least three match, else a search over all poses
+    landmarks = 1,
+    pose = 2,       ///< given by the host
+    search = 3,
+};
+
+/// What one unit of the scan is.
+enum class UnitRule : std::int32_t {
+    detect = 0,       ///< by the size of what was scanned; scale to millimetres
+    millimetres = 1,  ///< as given
+    refuse = 2,       ///< throw Status::invalid_argument when it does not look like millimetres
+};
 
 struct RegistrationOptions {
+    // Start
+    StartKind start = StartKind::automatic;
+    Similarity pose;                 ///< template -> scan (mm), for StartKind::pose
+    UnitRule units = UnitRule::detect;
+    bool skin_weights = false;       ///< weigh scan vertices by the probability of skin colour
+    Vector scan_weights;             ///< one per scan vertex in [0, 1], or empty
     // Prior
-    ModeGrowth growth = ModeGrowth::exponential;
+    ModeGrowth growth = ModeGrowth::constant;
     Index max_scalar_modes = -1;     ///< -1: all of the model's (three deformation modes each)
     Index max_pca_modes = -1;        ///< -1: all of the model's
     double kernel_amplitude = 0;     ///< factor on the kernel's standard deviation; 0: chosen by itself
     double pca_amplitude = 1;
     // Data
-    double landmark_sigma_mm = 1.5;  ///< picking error per axis
+    double landmark_sigma_mm = 2;    ///< picking error per axis
     double sigma_start_mm = 3;       ///< noise level of a surface hit, first ...
     double sigma_end_mm = 0.5;       ///< ... and last
     double robust_factor = 2;        ///< robust scale in noise levels
-    double tangential = 0.1;         ///< weight of sliding along the surface against leaving it; 1: point to point
-    double data_weight = 0.3;        ///< independent hits per vertex (neighbours' errors are alike)
+    double tangential = 0.5;         ///< weight of sliding along the surface against leaving it; 1: point to point
+    double data_weight = 0.1;        ///< independent hits per vertex (neighbours' errors are alike)
     CorrespondenceOptions correspondence;
     // Loop
-    int iterations = 20;
+    int iterations = 12;
     double stop_movement_mm = 0.01;  ///< mean movement below which the last noise level ends
+    double sparse_rounds = 0.7;      ///< share of the rounds that look at a part of the vertices only
+    Index sparse_stride = 3;         ///< and that part: one in so many
+    double solver_tolerance = 0.1;   ///< by how much a round reduces its equations' residual; the next goes on
     bool estimate_motion = true;
     bool estimate_scale = true;
     // Rest
@@ -47,6 +73,7 @@ struct RegistrationResult {
     std::vector<SurfaceHit> correspondence;  ///< #V, on the scan
     std::vector<double> energy;      ///< one per iteration
     Similarity start, motion;        ///< template -> scan, before and after
+    Verdict verdict;
     int iterations = 0;
     double sigma_mm = 0;             ///< last noise level
     std::vector<std::string> unknown_landmarks;  ///< names the model does not have

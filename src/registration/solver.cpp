@@ -1,21 +1,22 @@
 #include "registration/solver.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <cmath>
 
 #include "base/dense.hpp"
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "registration/thin_product.hpp"
 
 namespace mien {
 namespace {
 
 using MatrixF = Eigen::MatrixXf;
 using VectorF = Eigen::VectorXf;
-using MotionColumns = Eigen::Matrix<float, Eigen::Dynamic, 7>;
 constexpr std::size_t kChunk = 1024;
-constexpr Index kSampleStride = 3;  // every third vertex stands for all in the preconditioner
+constexpr int kGramLife = 4;  // steps for which one Phi' W Phi serves as preconditioner
 
 // Flat unknown: kernel (3 r, axis by axis), pca (p), motion (7 or 6 or 0).
 struct Layout {
@@ -29,60 +30,50 @@ Matrix3 unpack(const Eigen::Matrix<float, 1, 6>& h) {
     return m;
 }
 
-// d(place)/d(motion) of one place: rotation about the centre, shift, growth; lengths in units of
-// `radius`, so that all seven columns weigh alike.
-Eigen::Matrix<float, 3, 7> motion_block(const Vector3& place, const Vector3& centre, double radius) {
-    const Vector3 y = (place - centre) / radius;
-    Eigen::Matrix<float, 3, 7> block;
-    block.setZero();
-    block.block<3, 3>(0, 3).setIdentity();
-    block(0, 1) = static_cast<float>(y[2]), block(0, 2) = static_cast<float>(-y[1]);
-    block(1, 0) = static_cast<float>(-y[2]), block(1, 2) = static_cast<float>(y[0]);
-    block(2, 0) = static_cast<float>(y[1]), block(2, 1) = static_cast<float>(-y[0]);
-    block.col(6) = y.cast<float>();
-    return block;
-}
+}  // namespace
 
-class System {
+// The coupled normal equations of one step: products with them and a preconditioner.
+class FitSystem {
   public:
-    System(const DeformationModel& model, const FitTerms& terms, const PointsRef& current,
-           const FitStepOptions& options, Layout layout, const Context& context)
-        : model_(model), terms_(terms), current_(current), options_(options), layout_(layout),
+    FitSystem(FitSolver& solver, const FitTerms& terms, const PointsRef& current,
+              const FitStepOptions& options, Layout layout, const Context& context)
+        : solver_(solver), terms_(terms), current_(current), options_(options), layout_(layout),
           context_(context) {
         centre_ = current.colwise().mean().transpose();
         radius_ = std::sqrt((current.rowwise() - centre_.transpose()).rowwise().squaredNorm().mean());
         if (!(radius_ > 0)) radius_ = 1;
-        field_.resize(3, model.num_vertices());
-        build_preconditioner();
+        field_.resize(current.rows(), 3);
+        set_ridge();
+        if (layout_.r > 0) factor_kernel();
+        if (layout_.p + layout_.g > 0) factor_vectors();
     }
 
     double radius() const { return radius_; }
     const Vector3& centre() const { return centre_; }
+    void load_pull() { field_ = terms_.pull; }
 
-    // B' h for h given as `field_` (3 x V).
+    // out = B' field.
     void project(VectorF& out) {
-        const Index r = layout_.r, p = layout_.p, n = model_.num_vertices();
+        const Index r = layout_.r, p = layout_.p, m = field_.rows();
         out.resize(layout_.size());
         if (r > 0) {
-            MatrixF by_axis = field_.transpose();
-            MatrixF product(r, 3);
-            dense::multiply(context_, 1.0f, model_.basis.map().leftCols(r), dense::Op::transpose,
-                            by_axis, dense::Op::none, 0.0f, product);
+            MatrixF product;
+            thin_project(solver_.basis().leftCols(r), field_, product, context_);
             out.head(3 * r) = Eigen::Map<const VectorF>(product.data(), 3 * r);
         }
         if (p > 0) {
-            const Eigen::Map<const VectorF> flat(field_.data(), 3 * n);
+            flat_ = field_;  // x0 y0 z0 x1 ...
+            const Eigen::Map<const VectorF> flat(flat_.data(), 3 * m);
             parallel_for(context_, static_cast<std::size_t>(p), 16, [&](std::size_t b, std::size_t e) {
                 const Index first = static_cast<Index>(b), count = static_cast<Index>(e - b);
                 out.segment(3 * r + first, count).noalias() =
-                    model_.pca_modes.map().middleCols(first, count).transpose() * flat;
+                    solver_.pca().middleCols(first, count).transpose() * flat;
             });
         }
         if (layout_.g > 0) {
             Eigen::Matrix<double, 7, 1> sum = Eigen::Matrix<double, 7, 1>::Zero();
-            for (Index i = 0; i < n; ++i) {
-                const Vector3 h = field_.col(i).cast<double>();
-                if (h.isZero(0)) continue;
+            for (Index i = 0; i < m; ++i) {
+                const Vector3 h = field_.row(i).transpose().cast<double>();
                 const Vector3 y = (current_.row(i).transpose() - centre_) / radius_;
                 sum.head<3>() += y.cross(h);
                 sum.segment<3>(3) += h;
@@ -92,142 +83,145 @@ class System {
         }
     }
 
-    // field_ = B theta.
-    void expand(const VectorF& theta) {
-        const Index r = layout_.r, p = layout_.p, n = model_.num_vertices();
-        if (r > 0) {
-            const Eigen::Map<const MatrixF> a(theta.data(), r, 3);
-            MatrixF moved(n, 3);
-            dense::multiply(context_, 1.0f, model_.basis.map().leftCols(r), dense::Op::none, a,
-                            dense::Op::none, 0.0f, moved);
-            field_ = moved.transpose();
-        } else {
-            field_.setZero();
+    // out = A theta.
+    void apply(const VectorF& theta, VectorF& out) {
+        expand(theta);
+        for (Index i = 0; i < field_.rows(); ++i) {
+            const auto h = terms_.precision.row(i);
+            const float x = field_(i, 0), y = field_(i, 1), z = field_(i, 2);
+            field_(i, 0) = h[0] * x + h[3] * y + h[4] * z;
+            field_(i, 1) = h[3] * x + h[1] * y + h[5] * z;
+            field_(i, 2) = h[4] * x + h[5] * y + h[2] * z;
         }
-        Eigen::Map<VectorF> flat(field_.data(), 3 * n);
-        if (p > 0)
-            parallel_for(context_, static_cast<std::size_t>(3 * n), 3 * kChunk,
-                         [&](std::size_t b, std::size_t e) {
-                             const Index first = static_cast<Index>(b);
-                             const Index count = static_cast<Index>(e - b);
-                             flat.segment(first, count).noalias() +=
-                                 model_.pca_modes.map().leftCols(p).middleRows(first, count) *
-                                 theta.segment(3 * r, p);
-                         });
+        project(out);
+        const Index kernel = 3 * layout_.r, p = layout_.p;
+        out.head(kernel).array() += kernel_ridge_.array() * theta.head(kernel).array();
+        out.segment(kernel, p) += static_cast<float>(options_.pca_ridge) * theta.segment(kernel, p);
+    }
+
+    void precondition(const VectorF& in, VectorF& out) const {
+        out = in;
+        if (layout_.r > 0) {
+            const Index r = layout_.r;
+            for (int axis = 0; axis < 3; ++axis)
+                kernel_factor_[factor_of_[axis]].solveInPlace(out.segment(axis * r, r));
+        }
+        if (layout_.p + layout_.g > 0) vector_factor_.solveInPlace(out.tail(layout_.p + layout_.g));
+    }
+
+  private:
+    // field = B theta.
+    void expand(const VectorF& theta) {
+        const Index r = layout_.r, p = layout_.p, m = field_.rows();
+        if (r > 0)
+            thin_multiply(solver_.basis().leftCols(r), Eigen::Map<const MatrixF>(theta.data(), r, 3), field_,
+                          context_);
+        else
+            field_.setZero();
+        if (p > 0) {
+            flat_.resize(m, 3);
+            Eigen::Map<VectorF> flat(flat_.data(), 3 * m);
+            parallel_for(context_, static_cast<std::size_t>(3 * m), 3 * kChunk, [&](std::size_t b, std::size_t e) {
+                const Index first = static_cast<Index>(b), count = static_cast<Index>(e - b);
+                flat.segment(first, count).noalias() =
+                    solver_.pca().leftCols(p).middleRows(first, count) * theta.segment(3 * r, p);
+            });
+            field_ += flat_;
+        }
         if (layout_.g > 0) {
             Eigen::Matrix<double, 7, 1> g = Eigen::Matrix<double, 7, 1>::Zero();
             g.head(layout_.g) = theta.tail(layout_.g).cast<double>();
             const Vector3 w = g.head<3>(), t = g.segment<3>(3);
-            for (Index i = 0; i < n; ++i) {
+            for (Index i = 0; i < m; ++i) {
                 const Vector3 y = (current_.row(i).transpose() - centre_) / radius_;
-                field_.col(i) += (w.cross(y) + t + g[6] * y).cast<float>();
+                field_.row(i) += (w.cross(y) + t + g[6] * y).cast<float>().transpose();
             }
         }
     }
 
-    // field_ = H field_.
-    void weigh() {
-        for (Index i = 0; i < field_.cols(); ++i) {
-            const auto h = terms_.precision.row(i);
-            const Eigen::Vector3f u = field_.col(i);
-            field_(0, i) = h[0] * u[0] + h[3] * u[1] + h[4] * u[2];
-            field_(1, i) = h[3] * u[0] + h[1] * u[1] + h[5] * u[2];
-            field_(2, i) = h[4] * u[0] + h[5] * u[1] + h[2] * u[2];
-        }
-    }
+    double total_weight() const { return terms_.precision.leftCols<3>().cast<double>().sum() / 3; }
 
-    void load_pull() { field_ = terms_.pull.transpose(); }
-
-    void ridge(const VectorF& theta, VectorF& out) const {
-        out.head(3 * layout_.r) += static_cast<float>(options_.kernel_ridge) * theta.head(3 * layout_.r);
-        out.segment(3 * layout_.r, layout_.p) +=
-            static_cast<float>(options_.pca_ridge) * theta.segment(3 * layout_.r, layout_.p);
-    }
-
-    void apply(const VectorF& theta, VectorF& out) {
-        expand(theta);
-        weigh();
-        project(out);
-        ridge(theta, out);
-    }
-
-    void precondition(const VectorF& in, VectorF& out) const {
-        out.resize(in.size());
-        if (layout_.r > 0) {
-            Eigen::Map<MatrixF> block(out.data(), layout_.r, 3);
-            block = Eigen::Map<const MatrixF>(in.data(), layout_.r, 3);
-            kernel_factor_.solveInPlace(block);
-        }
-        if (layout_.p + layout_.g > 0) {
-            out.tail(layout_.p + layout_.g) = in.tail(layout_.p + layout_.g);
-            vector_factor_.solveInPlace(out.tail(layout_.p + layout_.g));
-        }
-    }
-
-  private:
-    void build_preconditioner() {
-        const Index n = model_.num_vertices();
-        std::vector<Index> rows;
-        for (Index i = 0; i < n; i += layout_.p > 0 && layout_.r == 0 ? 1 : kSampleStride)
-            if (terms_.precision.row(i).head<3>().maxCoeff() > 0) rows.push_back(i);
-        double whole = 0, sampled = 0;
-        for (Index i = 0; i < n; ++i) whole += terms_.precision.row(i).head<3>().sum();
-        for (Index i : rows) sampled += terms_.precision.row(i).head<3>().sum();
-        const double factor = sampled > 0 ? whole / sampled : 1;
-        const Index m = static_cast<Index>(rows.size());
-        if (layout_.r > 0) {
-            const Index r = layout_.r;
-            MatrixF sample(m, r);
-            VectorF weight(m);
-            for (Index k = 0; k < m; ++k) {
-                const Index i = rows[static_cast<std::size_t>(k)];
-                weight[k] = static_cast<float>(factor / 3) * terms_.precision.row(i).head<3>().sum();
-            }
-            const auto basis = model_.basis.map();
+    void factor_kernel() {
+        const Index r = layout_.r, m = field_.rows();
+        if (solver_.gram_.rows() != r || solver_.gram_age_ >= kGramLife || !(solver_.gram_weight_ > 0)) {
+            // Every second or third row stands for all: this is a preconditioner only.
+            const Index stride = m > 6000 ? 3 : (m > 2000 ? 2 : 1);
+            const Index sampled = (m + stride - 1) / stride;
+            const auto basis = solver_.basis();
+            MatrixF sample(sampled, r);
+            VectorF weight(sampled);
+            for (Index k = 0; k < sampled; ++k)
+                weight[k] = terms_.precision.row(k * stride).head<3>().sum() / 3;
             parallel_for(context_, static_cast<std::size_t>(r), 16, [&](std::size_t b, std::size_t e) {
                 for (Index j = static_cast<Index>(b); j < static_cast<Index>(e); ++j)
-                    for (Index k = 0; k < m; ++k) sample(k, j) = basis(rows[static_cast<std::size_t>(k)], j);
+                    for (Index k = 0; k < sampled; ++k) sample(k, j) = basis(k * stride, j);
             });
-            MatrixF gram(r, r);
-            dense::weighted_gram(context_, sample, weight, gram);
-            gram.diagonal().array() += static_cast<float>(options_.kernel_ridge);
-            kernel_factor_.compute(gram);
-            if (kernel_factor_.info() != Eigen::Success)
-                fail(Status::no_solution, "the normal equations of the fit are not positive definite");
+            solver_.gram_.resize(r, r);
+            dense::weighted_gram(context_, sample, weight, solver_.gram_);
+            solver_.gram_weight_ = weight.cast<double>().sum();
+            solver_.gram_age_ = 0;
         }
-        const Index q = layout_.p + layout_.g;
-        if (q > 0) {
-            MatrixF stacked(3 * m, q);
-            const auto modes = model_.pca_modes.map();
-            parallel_for(context_, static_cast<std::size_t>(m), 512, [&](std::size_t b, std::size_t e) {
-                Eigen::Matrix<float, 3, Eigen::Dynamic> block(3, q);
-                for (std::size_t k = b; k < e; ++k) {
-                    const Index i = rows[k];
-                    block.leftCols(layout_.p) = modes.block(3 * i, 0, 3, layout_.p);
-                    if (layout_.g > 0)
-                        block.rightCols(layout_.g) =
-                            motion_block(current_.row(i).transpose(), centre_, radius_).leftCols(layout_.g);
-                    // A square root of H (semidefinite): its eigenvectors scaled.
-                    Eigen::SelfAdjointEigenSolver<Matrix3> eigen;
-                    eigen.computeDirect(factor * unpack(terms_.precision.row(i)));
-                    const Matrix3 root = eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal() *
-                                         eigen.eigenvectors().transpose();
-                    stacked.middleRows(3 * static_cast<Index>(k), 3).noalias() = root.cast<float>() * block;
-                }
-            });
-            MatrixF gram(q, q);
-            dense::weighted_gram(context_, stacked, VectorF(), gram);
-            gram.diagonal().head(layout_.p).array() += static_cast<float>(options_.pca_ridge);
-            // The motion has no prior; a whisper of one keeps a fit without any hit solvable.
-            const float whisper = 1e-6f * std::max(1.0f, gram.diagonal().maxCoeff());
-            gram.diagonal().tail(layout_.g).array() += whisper;
-            vector_factor_.compute(gram);
-            if (vector_factor_.info() != Eigen::Success)
+        ++solver_.gram_age_;
+        const double scale = solver_.gram_weight_ > 0 ? total_weight() / solver_.gram_weight_ : 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            factor_of_[axis] = axis;
+            for (int before = axis - 1; before >= 0; --before)
+                if (kernel_ridge_.segment(axis * r, r) == kernel_ridge_.segment(before * r, r))
+                    factor_of_[axis] = before;
+            if (factor_of_[axis] != axis) continue;
+            MatrixF system = static_cast<float>(scale) * solver_.gram_;
+            system.diagonal() += kernel_ridge_.segment(axis * r, r);
+            kernel_factor_[axis].compute(system);
+            if (kernel_factor_[axis].info() != Eigen::Success)
                 fail(Status::no_solution, "the normal equations of the fit are not positive definite");
         }
     }
 
-    const DeformationModel& model_;
+    // rho over the prior variance of each mode and axis; models without a preference have ones.
+    void set_ridge() {
+        const Index r = layout_.r;
+        kernel_ridge_.setConstant(3 * r, static_cast<float>(options_.kernel_ridge));
+        const Matrix& variance = solver_.model_.prior_variance;
+        if (variance.rows() < r || variance.cols() != 3) return;
+        for (int axis = 0; axis < 3; ++axis)
+            for (Index j = 0; j < r; ++j)
+                kernel_ridge_[axis * r + j] = static_cast<float>(options_.kernel_ridge / std::max(variance(j, axis), 1e-4));
+    }
+
+    void factor_vectors() {
+        const Index q = layout_.p + layout_.g, m = field_.rows();
+        const auto modes = solver_.pca();
+        MatrixF stacked(3 * m, q);
+        parallel_for(context_, static_cast<std::size_t>(m), 512, [&](std::size_t b, std::size_t e) {
+            Eigen::Matrix<float, 3, Eigen::Dynamic> block(3, q);
+            for (std::size_t k = b; k < e; ++k) {
+                const Index i = static_cast<Index>(k);
+                if (layout_.p > 0) block.leftCols(layout_.p) = modes.block(3 * i, 0, 3, layout_.p);
+                if (layout_.g > 0) {
+                    const Vector3 y = (current_.row(i).transpose() - centre_) / radius_;
+                    Eigen::Matrix<double, 3, 7> motion;
+                    motion << 0, y[2], -y[1], 1, 0, 0, y[0], -y[2], 0, y[0], 0, 1, 0, y[1], y[1], -y[0], 0, 0, 0, 1, y[2];
+                    block.rightCols(layout_.g) = motion.leftCols(layout_.g).cast<float>();
+                }
+                // A square root of H (semidefinite): its eigenvectors, scaled.
+                Eigen::SelfAdjointEigenSolver<Matrix3> eigen;
+                eigen.computeDirect(unpack(terms_.precision.row(i)));
+                const Matrix3 root = eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal() *
+                                     eigen.eigenvectors().transpose();
+                stacked.middleRows(3 * i, 3).noalias() = root.cast<float>() * block;
+            }
+        });
+        MatrixF gram(q, q);
+        dense::weighted_gram(context_, stacked, VectorF(), gram);
+        gram.diagonal().head(layout_.p).array() += static_cast<float>(options_.pca_ridge);
+        // The motion has no prior; a whisper of one keeps a fit without any hit solvable.
+        gram.diagonal().tail(layout_.g).array() += 1e-6f * std::max(1.0f, gram.diagonal().maxCoeff());
+        vector_factor_.compute(gram);
+        if (vector_factor_.info() != Eigen::Success)
+            fail(Status::no_solution, "the normal equations of the fit are not positive definite");
+    }
+
+    FitSolver& solver_;
     const FitTerms& terms_;
     const PointsRef current_;
     const FitStepOptions& options_;
@@ -235,41 +229,84 @@ class System {
     const Context& context_;
     Vector3 centre_;
     double radius_ = 1;
-    Eigen::Matrix<float, 3, Eigen::Dynamic> field_;
-    Eigen::LLT<MatrixF> kernel_factor_, vector_factor_;
+    Eigen::Matrix<float, Eigen::Dynamic, 3> field_;
+    Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> flat_;
+    VectorF kernel_ridge_;  // 3 r
+    int factor_of_[3] = {0, 1, 2};
+    Eigen::LLT<MatrixF> kernel_factor_[3], vector_factor_;
 };
 
-}  // namespace
-
-void FitTerms::reset(Index num_vertices) {
-    precision.setZero(num_vertices, 6);
-    pull.setZero(num_vertices, 3);
+void FitTerms::reset(Index num_rows) {
+    precision.setZero(num_rows, 6);
+    pull.setZero(num_rows, 3);
 }
 
-void FitTerms::add_isotropic(Index vertex, double weight, const Vector3& target_displacement) {
-    precision.row(vertex).head<3>().array() += static_cast<float>(weight);
-    pull.row(vertex) += (weight * target_displacement).cast<float>().transpose();
+void FitTerms::add_isotropic(Index row, double weight, const Vector3& target_displacement) {
+    precision.row(row).head<3>().array() += static_cast<float>(weight);
+    pull.row(row) += (weight * target_displacement).cast<float>().transpose();
 }
 
-void FitTerms::add_planar(Index vertex, double weight, double tau, const Vector3& normal,
+void FitTerms::add_planar(Index row, double weight, double tau, const Vector3& normal,
                           const Vector3& target_displacement) {
     const Matrix3 h =
         weight * ((1 - tau) * normal * normal.transpose() + tau * Matrix3::Identity());
-    precision.row(vertex) += Eigen::Matrix<double, 1, 6>(
-        (Eigen::Matrix<double, 1, 6>() << h(0, 0), h(1, 1), h(2, 2), h(0, 1), h(0, 2), h(1, 2)).finished()).cast<float>();
-    pull.row(vertex) += (h * target_displacement).cast<float>().transpose();
+    const Eigen::Matrix<double, 1, 6> packed{h(0, 0), h(1, 1), h(2, 2), h(0, 1), h(0, 2), h(1, 2)};
+    precision.row(row) += packed.cast<float>();
+    pull.row(row) += (h * target_displacement).cast<float>().transpose();
 }
 
-FitSolver::FitSolver(const DeformationModel& model) : model_(model) {}
+FitSolver::FitSolver(const DeformationModel& model) : model_(model), num_rows_(model.num_vertices()) {}
+
+FitSolver::ConstMap FitSolver::basis() const {
+    if (rows_.empty())
+        return ConstMap(model_.basis.data, num_rows_, model_.basis.cols, Eigen::OuterStride<>(num_rows_));
+    return ConstMap(packed_basis_.data(), num_rows_, packed_basis_.cols(), Eigen::OuterStride<>(num_rows_));
+}
+
+FitSolver::ConstMap FitSolver::pca() const {
+    if (rows_.empty())
+        return ConstMap(model_.pca_modes.data, 3 * num_rows_, model_.pca_modes.cols,
+                        Eigen::OuterStride<>(3 * num_rows_));
+    return ConstMap(packed_pca_.data(), 3 * num_rows_, packed_pca_.cols(), Eigen::OuterStride<>(3 * num_rows_));
+}
+
+void FitSolver::use_rows(std::vector<Index> rows, Index scalar_modes, Index pca_modes, const Context& context) {
+    rows_ = std::move(rows);
+    gram_.resize(0, 0);
+    num_rows_ = rows_.empty() ? model_.num_vertices() : static_cast<Index>(rows_.size());
+    if (rows_.empty()) {
+        packed_basis_.resize(0, 0);
+        packed_pca_.resize(0, 0);
+        return;
+    }
+    context.require_memory(static_cast<std::size_t>(num_rows_ * (scalar_modes + 3 * pca_modes)) * 4, "the fit");
+    packed_basis_.resize(num_rows_, scalar_modes);
+    packed_pca_.resize(3 * num_rows_, pca_modes);
+    const Index n = model_.num_vertices();
+    parallel_for(context, static_cast<std::size_t>(scalar_modes + pca_modes), 8, [&](std::size_t b, std::size_t e) {
+        for (Index j = static_cast<Index>(b); j < static_cast<Index>(e); ++j)
+            for (Index k = 0; k < num_rows_; ++k) {
+                const Index i = rows_[static_cast<std::size_t>(k)];
+                if (j < scalar_modes)
+                    packed_basis_(k, j) = model_.basis.data[j * n + i];
+                else
+                    for (int axis = 0; axis < 3; ++axis)
+                        packed_pca_(3 * k + axis, j - scalar_modes) =
+                            model_.pca_modes.data[(j - scalar_modes) * 3 * n + 3 * i + axis];
+            }
+    });
+}
 
 Similarity FitSolver::step(const FitTerms& terms, const PointsRef& current,
                            const FitStepOptions& options, FitCoefficients& coefficients,
                            const Context& context) {
-    const Layout layout{std::min(options.scalar_modes, model_.basis.cols),
-                        std::min(options.pca_modes, model_.pca_modes.cols),
+    const Layout layout{std::min(options.scalar_modes, coefficients.kernel.rows()),
+                        std::min(options.pca_modes, coefficients.pca.size()),
                         options.move ? (options.scale ? 7 : 6) : 0};
-    System system(model_, terms, current, options, layout, context);
     const Index r = layout.r, p = layout.p;
+    Similarity motion;
+    if (layout.size() == 0) return motion;
+    FitSystem system(*this, terms, current, options, layout, context);
 
     VectorF theta = VectorF::Zero(layout.size());
     for (int axis = 0; axis < 3; ++axis)
@@ -281,13 +318,13 @@ Similarity FitSolver::step(const FitTerms& terms, const PointsRef& current,
     system.project(rhs);
     system.apply(theta, image);
     residual = rhs - image;
+    system.precondition(rhs, z);
+    const double whole = rhs.cast<double>().dot(z.cast<double>());
     system.precondition(residual, z);
     direction = z;
     double rz = residual.cast<double>().dot(z.cast<double>());
-    VectorF rhs_z;
-    system.precondition(rhs, rhs_z);
-    const double limit = options.tolerance * options.tolerance *
-                         std::max(rhs.cast<double>().dot(rhs_z.cast<double>()), 1e-30);
+    // Relative to where this step began, but not below what single precision can tell apart.
+    const double limit = std::max({options.tolerance * options.tolerance * rz, 1e-10 * whole, 1e-30});
     iterations_ = 0;
     while (iterations_ < options.max_iterations && rz > limit) {
         system.apply(direction, image);
@@ -308,8 +345,6 @@ Similarity FitSolver::step(const FitTerms& terms, const PointsRef& current,
     for (int axis = 0; axis < 3; ++axis)
         coefficients.kernel.col(axis).head(r) = theta.segment(axis * r, r);
     coefficients.pca.head(p) = theta.segment(3 * r, p);
-
-    Similarity motion;
     if (layout.g > 0) {
         const Eigen::VectorXd g = theta.tail(layout.g).cast<double>();
         const Vector3 w = g.head<3>() / system.radius();
@@ -323,22 +358,23 @@ Similarity FitSolver::step(const FitTerms& terms, const PointsRef& current,
 }
 
 Points FitSolver::displacement(const FitCoefficients& coefficients, const Context& context) const {
-    const Index n = model_.num_vertices(), r = coefficients.kernel.rows(),
-                p = coefficients.pca.size();
+    const Index n = model_.num_vertices(), r = coefficients.kernel.rows(), p = coefficients.pca.size();
     Points u = model_.mean_displacement.rows() == n ? model_.mean_displacement : Points::Zero(n, 3);
-    parallel_for(context, static_cast<std::size_t>(n), kChunk, [&](std::size_t b, std::size_t e) {
-        const Index first = static_cast<Index>(b), count = static_cast<Index>(e - b);
-        if (r > 0)
-            u.middleRows(first, count) += (model_.basis.map().block(first, 0, count, r) *
-                                           coefficients.kernel).cast<double>();
-        if (p > 0) {
-            const VectorF moved =
-                model_.pca_modes.map().block(3 * first, 0, 3 * count, p) * coefficients.pca;
-            u.middleRows(first, count) +=
-                Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>>(
-                    moved.data(), count, 3).cast<double>();
-        }
-    });
+    if (r > 0) {
+        Eigen::Matrix<float, Eigen::Dynamic, 3> moved(n, 3);
+        thin_multiply(model_.basis.map().leftCols(r), coefficients.kernel, moved, context);
+        u += moved.cast<double>();
+    }
+    if (p > 0) {
+        Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> moved(n, 3);
+        Eigen::Map<VectorF> flat(moved.data(), 3 * n);
+        parallel_for(context, static_cast<std::size_t>(3 * n), 3 * kChunk, [&](std::size_t b, std::size_t e) {
+            const Index first = static_cast<Index>(b), count = static_cast<Index>(e - b);
+            flat.segment(first, count).noalias() =
+                model_.pca_modes.map().leftCols(p).middleRows(first, count) * coefficients.pca;
+        });
+        u += moved.cast<double>();
+    }
     return u;
 }
 

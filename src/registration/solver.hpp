@@ -16,14 +16,15 @@
 
 namespace mien {
 
-/// Per-vertex quadratic terms in the model frame. A row of zeros says nothing about its vertex.
+/// Quadratic terms of the vertices that a step looks at, in the model frame. A row of zeros says
+/// nothing about its vertex.
 struct FitTerms {
     Eigen::Matrix<float, Eigen::Dynamic, 6, Eigen::RowMajor> precision;  ///< xx yy zz xy xz yz, 1/mm^2
     Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> pull;       ///< sum of H (q - x - mean)
 
-    void reset(Index num_vertices);
-    void add_isotropic(Index vertex, double weight, const Vector3& target_displacement);
-    void add_planar(Index vertex, double weight, double tau, const Vector3& normal,
+    void reset(Index num_rows);
+    void add_isotropic(Index row, double weight, const Vector3& target_displacement);
+    void add_planar(Index row, double weight, double tau, const Vector3& normal,
                     const Vector3& target_displacement);
 };
 
@@ -40,7 +41,7 @@ struct FitStepOptions {
     bool move = true;             ///< solve for the small motion too
     bool scale = true;            ///< the motion may scale
     int max_iterations = 40;
-    double tolerance = 1e-3;      ///< of the preconditioned residual, relative
+    double tolerance = 0.1;       ///< by how much a step reduces the preconditioned residual
 };
 
 /// Keeps work space between steps. One per fit; not shared between threads.
@@ -48,19 +49,36 @@ class FitSolver {
   public:
     explicit FitSolver(const DeformationModel& model);
 
-    /// Improves `coefficients` (sized by prepare) in place and returns the small motion about the
-    /// current places `current` (#V x 3, model frame): x -> x + w x x + t + s x.
-    /// Throws Status::no_solution when the system is not positive definite.
+    /// The vertices that the steps look at from now on: row k of the terms is vertex rows[k]. Early rounds
+    /// use a part of the vertices, because the modes that matter then are smooth. Empty: all vertices.
+    void use_rows(std::vector<Index> rows, Index scalar_modes, Index pca_modes, const Context& context);
+    Index num_rows() const { return num_rows_; }
+    Index vertex(Index row) const { return rows_.empty() ? row : rows_[static_cast<std::size_t>(row)]; }
+
+    /// Improves `coefficients` in place and returns the small motion about the current places `current`
+    /// (one row per row, model frame). Throws Status::no_solution when the system is not positive definite.
     Similarity step(const FitTerms& terms, const PointsRef& current, const FitStepOptions& options,
                     FitCoefficients& coefficients, const Context& context);
 
-    /// mean + Phi a + P c, #V x 3.
+    /// mean + Phi a + P c, #V x 3, of all vertices.
     Points displacement(const FitCoefficients& coefficients, const Context& context) const;
 
     int iterations() const { return iterations_; }  ///< conjugate gradient steps of the last call
 
   private:
+    using ConstMap = Eigen::Map<const Eigen::MatrixXf, 0, Eigen::OuterStride<>>;
+    ConstMap basis() const;
+    ConstMap pca() const;
+    friend class FitSystem;
+
     const DeformationModel& model_;
+    std::vector<Index> rows_;
+    Index num_rows_ = 0;
+    Eigen::MatrixXf packed_basis_, packed_pca_;
+    // Phi' W Phi of an earlier step, for preconditioning; W had the sum gram_weight_.
+    Eigen::MatrixXf gram_;
+    double gram_weight_ = 0;
+    int gram_age_ = 0;
     int iterations_ = 0;
 };
 

@@ -1,0 +1,212 @@
+#include "registration.hpp"
+
+#include "arrays.hpp"
+#include "guard.hpp"
+#include "model.hpp"
+#include "options.hpp"
+#include "registration/report.hpp"
+#include "session.hpp"
+
+using namespace mien;
+using namespace mien::abi;
+
+mien_registration::mien_registration(RegistrationResult&& result)
+    : Object(kTag), data(std::move(result)), json(registration_json(data)) {
+    mesh = new mien_mesh(std::make_shared<const TriMesh>(std::move(data.fitted)));
+}
+
+mien_registration::~mien_registration() { release(mesh); }
+
+namespace {
+
+// The radius that holds 95 of 100 places for equal errors on three axes: sqrt of chi-squared(3).
+constexpr double kRadius95 = 2.7955;
+
+mien_register_options default_options() {
+    const RegistrationOptions core;
+    mien_register_options options{};
+    options.growth = static_cast<std::int32_t>(core.growth);
+    options.landmark_sigma_mm = core.landmark_sigma_mm;
+    options.close_gap = core.close_gap ? 1 : 0;
+    options.max_scalar_modes = -1;
+    options.max_pca_modes = -1;
+    options.reject_border = core.correspondence.reject_border ? 1 : 0;
+    options.sigma_start_mm = core.sigma_start_mm;
+    options.sigma_end_mm = core.sigma_end_mm;
+    options.max_angle_deg = core.correspondence.max_angle_deg;
+    options.start_rotation[0] = options.start_rotation[4] = options.start_rotation[8] = 1;
+    options.start_scale = 1;
+    return options;
+}
+
+void require_range(std::int32_t value, std::int32_t low, std::int32_t high, const char* name) {
+    if (value < low || value > high)
+        fail(Status::unsupported_option, "options.%s is %d, allowed are %d to %d", name, value, low, high);
+}
+
+RegistrationOptions convert(const mien_register_options& given) {
+    require_range(given.growth, 0, 3, "growth");
+    require_range(given.start, 0, 3, "start");
+    require_range(given.units, 0, 2, "units");
+    require_range(given.skin_weights, 0, 1, "skin_weights");
+    require_range(given.close_gap, 0, 1, "close_gap");
+    require_range(given.reject_border, 0, 1, "reject_border");
+    require_range(given.iterations, 0, 10000, "iterations");
+    RegistrationOptions options;
+    options.growth = static_cast<ModeGrowth>(given.growth);
+    options.start = static_cast<StartKind>(given.start);
+    options.units = static_cast<UnitRule>(given.units);
+    options.skin_weights = given.skin_weights == 1;
+    options.close_gap = given.close_gap == 1;
+    options.correspondence.reject_border = given.reject_border == 1;
+    options.landmark_sigma_mm = given.landmark_sigma_mm;
+    options.max_scalar_modes = given.max_scalar_modes;
+    options.max_pca_modes = given.max_pca_modes;
+    if (given.iterations > 0) options.iterations = given.iterations;
+    options.sigma_start_mm = given.sigma_start_mm;
+    options.sigma_end_mm = given.sigma_end_mm;
+    options.correspondence.max_angle_deg = given.max_angle_deg;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) options.pose.rotation(i, j) = given.start_rotation[3 * i + j];
+        options.pose.translation[i] = given.start_translation[i];
+    }
+    options.pose.scale = given.start_scale;
+    if (given.scan_weights.count != 0)
+        options.scan_weights = read_values(given.scan_weights, "options.scan_weights");
+    return options;
+}
+
+std::vector<LandmarkPoint> read_landmarks(const mien_register_options& given) {
+    if (given.landmark_count != 0 && given.landmarks == nullptr)
+        fail(Status::invalid_argument, "options.landmarks is null, landmark_count is not 0");
+    if (given.landmark_count > 1000000)
+        fail(Status::invalid_argument, "options.landmark_count is %llu, at most 1000000 are allowed",
+             static_cast<unsigned long long>(given.landmark_count));
+    std::vector<LandmarkPoint> landmarks;
+    for (std::uint64_t k = 0; k < given.landmark_count; ++k) {
+        const mien_scan_landmark& landmark = given.landmarks[k];
+        landmarks.push_back({checked_text(landmark.name, "a landmark's name"),
+                             Vector3(landmark.position[0], landmark.position[1], landmark.position[2])});
+    }
+    return landmarks;
+}
+
+}  // namespace
+
+extern "C" {
+
+void MIEN_CALL mien_register_options_init(mien_register_options* options, size_t struct_size) {
+    write_defaults(options, struct_size, default_options());
+}
+
+mien_status MIEN_CALL mien_register(mien_session* session, const mien_model* model, const mien_mesh* scan,
+                                    const mien_register_options* options, mien_registration** out,
+                                    mien_error* error) {
+    return guarded_create(out, error, [&] {
+        const mien_register_options given = read_options(
+            options, default_options(), MIEN_FIRST_SIZE(mien_register_options, cancel), "options");
+        const DeformationModel& face = *checked(model, "model").model;
+        const TriMesh& data = *checked(scan, "scan").mesh;
+        const Call call(session, given.progress, given.progress_user, given.cancel);
+        return new mien_registration(
+            register_scan(face, data, read_landmarks(given), convert(given), call.context()));
+    });
+}
+
+const mien_mesh* MIEN_CALL mien_registration_mesh(const mien_registration* registration) {
+    return is_live(registration) ? registration->mesh : nullptr;
+}
+
+mien_status MIEN_CALL mien_registration_get_verdict(const mien_registration* registration,
+                                                    mien_fit_verdict* out, mien_error* error) {
+    return guarded(error, [&] {
+        const Verdict& verdict = checked(registration, "registration").data.verdict;
+        if (out == nullptr) fail(Status::invalid_argument, "out is null");
+        const std::size_t size = out->struct_size;
+        if (size < MIEN_FIRST_SIZE(mien_fit_verdict, self_intersections) || size > 4096)
+            fail(Status::invalid_argument, "out.struct_size is %zu; set it to the struct's size first", size);
+        mien_fit_verdict value{};
+        value.struct_size = static_cast<std::uint32_t>(size);
+        value.quality = static_cast<std::int32_t>(verdict.quality);
+        value.coverage = verdict.coverage;
+        value.inlier_share = verdict.inlier_share;
+        value.mean_residual_mm = verdict.mean_residual_mm;
+        value.landmark_rms_mm = verdict.landmark_rms_mm;
+        value.size_ratio = verdict.size_ratio;
+        value.mean_deviation = verdict.mean_deviation;
+        value.unit_to_mm = verdict.unit_to_mm;
+        value.landmarks_used = verdict.landmarks_used;
+        value.landmarks_rejected = static_cast<std::int32_t>(verdict.landmarks_rejected.size());
+        value.flipped_triangles = verdict.flipped_triangles;
+        value.self_intersections = verdict.self_intersections;
+        if (size > sizeof value) std::memset(static_cast<void*>(out), 0, size);
+        std::memcpy(static_cast<void*>(out), &value, std::min(size, sizeof value));
+    });
+}
+
+mien_status MIEN_CALL mien_registration_get_field(const mien_registration* registration, int32_t field,
+                                                  double* dst, uint64_t capacity, uint64_t* count,
+                                                  mien_error* error) {
+    return guarded(error, [&] {
+        const RegistrationResult& data = checked(registration, "registration").data;
+        Vector scaled;
+        const Vector* values = nullptr;
+        switch (field) {
+            case MIEN_FIELD_RESIDUAL_MM: values = &data.residual_mm; break;
+            case MIEN_FIELD_WEIGHT: values = &data.weight; break;
+            case MIEN_FIELD_STANDARD_DEVIATION_MM: values = &data.confidence_mm; break;
+            case MIEN_FIELD_RADIUS95_MM:
+                scaled = kRadius95 * data.confidence_mm;
+                values = &scaled;
+                break;
+            default: fail(Status::not_found, "a registration has no field %d", field);
+        }
+        copy_rows(values->data(), static_cast<std::uint64_t>(values->size()), sizeof(double), dst, capacity,
+                  count);
+    });
+}
+
+mien_status MIEN_CALL mien_registration_get_correspondence(const mien_registration* registration,
+                                                           uint32_t* triangles, double* barycentric,
+                                                           uint64_t capacity, uint64_t* count,
+                                                           mien_error* error) {
+    return guarded(error, [&] {
+        const std::vector<SurfaceHit>& hits = checked(registration, "registration").data.correspondence;
+        if (count != nullptr) *count = hits.size();
+        if (triangles == nullptr && barycentric == nullptr && capacity == 0) return;
+        if (capacity < hits.size())
+            fail(Status::buffer_too_small, "capacity is %llu, %zu rows are needed",
+                 static_cast<unsigned long long>(capacity), hits.size());
+        for (std::size_t i = 0; i < hits.size(); ++i) {
+            if (triangles != nullptr) triangles[i] = hits[i].triangle;
+            if (barycentric != nullptr)
+                for (int k = 0; k < 3; ++k) barycentric[3 * i + static_cast<std::size_t>(k)] = hits[i].barycentric[k];
+        }
+    });
+}
+
+mien_status MIEN_CALL mien_registration_get_motion(const mien_registration* registration, double* matrix,
+                                                   mien_error* error) {
+    return guarded(error, [&] {
+        const Similarity& motion = checked(registration, "registration").data.motion;
+        if (matrix == nullptr) fail(Status::invalid_argument, "matrix is null");
+        for (int i = 0; i < 3; ++i) {
+            for (int j = 0; j < 3; ++j) matrix[4 * i + j] = motion.scale * motion.rotation(i, j);
+            matrix[4 * i + 3] = motion.translation[i];
+        }
+        for (int j = 0; j < 4; ++j) matrix[12 + j] = j == 3 ? 1 : 0;
+    });
+}
+
+mien_status MIEN_CALL mien_registration_get_json(const mien_registration* registration, char* dst,
+                                                 uint64_t capacity, uint64_t* count, mien_error* error) {
+    return guarded(error, [&] {
+        const std::string& json = checked(registration, "registration").json;
+        copy_text(json.data(), json.size(), dst, capacity, count);
+    });
+}
+
+void MIEN_CALL mien_registration_retain(mien_registration* registration) { retain(registration); }
+void MIEN_CALL mien_registration_release(mien_registration* registration) { release(registration); }
+
+}  // extern "C"

@@ -1,0 +1,89 @@
+// Registration of the C++ face.
+#ifndef MIEN_DETAIL_REGISTRATION_HPP
+#define MIEN_DETAIL_REGISTRATION_HPP
+
+#include "model.hpp"
+
+namespace mien {
+
+/// A named place on a scan, in the scan's frame and unit.
+struct ScanLandmark {
+    std::string name;
+    Position position;
+};
+
+/// The settings of mien_register_options: `c` holds its plain numbers, set to the defaults.
+struct RegisterOptions {
+    RegisterOptions() { mien_register_options_init(&c, sizeof c); }
+    std::vector<ScanLandmark> landmarks;
+    std::vector<double> scan_weights;  ///< one per scan vertex, or empty
+    Progress progress;
+    mien_cancel* cancel = nullptr;
+    mien_register_options c;
+};
+
+/// A fitted template; copies share it.
+class Registration {
+  public:
+    Registration(const Session& session, const Model& model, const Mesh& scan,
+                 const RegisterOptions& settings = {}) {
+        mien_register_options options = settings.c;
+        std::vector<mien_scan_landmark> landmarks;
+        for (const ScanLandmark& landmark : settings.landmarks)
+            landmarks.push_back({landmark.name.c_str(),
+                                 {landmark.position[0], landmark.position[1], landmark.position[2]}});
+        options.landmarks = landmarks.data();
+        options.landmark_count = landmarks.size();
+        if (!settings.scan_weights.empty())
+            options.scan_weights = {settings.scan_weights.data(), settings.scan_weights.size(), 0,
+                                    MIEN_DTYPE_F64, 0};
+        options.cancel = settings.cancel;
+        detail::ProgressBridge bridge(settings.progress);
+        bridge.install(options);
+        mien_registration* registration = nullptr;
+        bridge.call(mien_register, session.get(), model.get(), scan.get(), &options, &registration);
+        handle_ = std::shared_ptr<mien_registration>(registration, mien_registration_release);
+    }
+
+    /// The fitted template, scan frame, mm.
+    Mesh mesh() const { return Mesh::share(mien_registration_mesh(get())); }
+    mien_fit_verdict verdict() const {
+        mien_fit_verdict out{};
+        out.struct_size = sizeof out;
+        detail::call(mien_registration_get_verdict, get(), &out);
+        return out;
+    }
+    /// MIEN_FIELD_RESIDUAL_MM and its kin, one value per template vertex.
+    std::vector<double> field(std::int32_t field) const {
+        std::uint64_t count = 0;
+        detail::call(mien_registration_get_field, get(), field, nullptr, std::uint64_t{0}, &count);
+        std::vector<double> values(static_cast<std::size_t>(count));
+        detail::call(mien_registration_get_field, get(), field, values.data(), count, &count);
+        return values;
+    }
+    /// For every template vertex: a triangle of the scan and the place in it.
+    void correspondence(std::vector<std::uint32_t>& triangles, std::vector<Position>& barycentric) const {
+        std::uint64_t count = 0;
+        detail::call(mien_registration_get_correspondence, get(), nullptr, nullptr, std::uint64_t{0}, &count);
+        triangles.resize(static_cast<std::size_t>(count));
+        barycentric.resize(static_cast<std::size_t>(count));
+        if (count != 0)
+            detail::call(mien_registration_get_correspondence, get(), triangles.data(),
+                         barycentric.front().data(), count, &count);
+    }
+    /// Row-major 4 x 4, template to scan.
+    std::array<double, 16> motion() const {
+        std::array<double, 16> matrix{};
+        detail::call(mien_registration_get_motion, get(), matrix.data());
+        return matrix;
+    }
+    std::string json() const { return detail::read_text(mien_registration_get_json, get()); }
+    const mien_registration* get() const noexcept { return handle_.get(); }
+
+  private:
+    std::shared_ptr<mien_registration> handle_;
+};
+
+}  // namespace mien
+
+#endif

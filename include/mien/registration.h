@@ -1,0 +1,276 @@
+/* Mien: from a raw scan to the template on it. */
+#ifndef MIEN_REGISTRATION_H
+#define MIEN_REGISTRATION_H
+
+#include "model.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** A fitted template: places, residuals, confidence, verdict. Immutable: share freely. */
+typedef struct mien_registration mien_registration;
+
+/** A named place on a scan, read in place and only during the call. */
+typedef struct mien_scan_landmark {
+    const char *name;   /**< UTF-8, not null; matched with the names stored in the model */
+    double position[3]; /**< in the scan's frame and unit */
+} mien_scan_landmark;
+
+/** How the number of deformation modes grows over the rounds (jousse-2022 2.5.2.2). */
+enum {
+    MIEN_GROWTH_CONSTANT = 0,
+    MIEN_GROWTH_LINEAR = 1,
+    MIEN_GROWTH_EXPONENTIAL = 2,
+    MIEN_GROWTH_CUBIC = 3
+};
+
+/** Where a fit begins. */
+enum {
+    MIEN_START_AUTOMATIC = 0, /**< landmarks when three match, else a search */
+    MIEN_START_LANDMARKS = 1,
+    MIEN_START_POSE = 2,      /**< start_rotation, start_translation, start_scale */
+    MIEN_START_SEARCH = 3     /**< over all poses up to 60 degrees off frontal */
+};
+
+/** What one unit of the scan is. */
+enum {
+    MIEN_UNITS_DETECT = 0,      /**< metres, centimetres and inches are recognised by size and scaled */
+    MIEN_UNITS_MILLIMETRES = 1,
+    MIEN_UNITS_REFUSE = 2       /**< anything that does not look like millimetres is an error */
+};
+
+/** Initialise with mien_register_options_init(). */
+typedef struct mien_register_options {
+    uint32_t struct_size;
+    int32_t growth;       /**< MIEN_GROWTH_*; default constant, with annealed noise */
+    const mien_scan_landmark *landmarks; /**< landmark_count landmarks; null: none */
+    uint64_t landmark_count;
+    double landmark_sigma_mm; /**< picking error per axis, > 0; default 2 */
+    int32_t start;        /**< MIEN_START_*; default automatic */
+    int32_t units;        /**< MIEN_UNITS_*; default detect */
+    mien_array_view scan_weights; /**< one weight in [0, 1] per scan vertex; count 0: all one */
+    int32_t skin_weights; /**< 1: weigh scan vertices by the probability of skin colour; default 0 */
+    int32_t close_gap;    /**< 1 (default): a smooth field closes what the modes leave open */
+    int32_t max_scalar_modes; /**< of the model's kernel modes; default -1: all */
+    int32_t max_pca_modes;    /**< of the model's trained modes; default -1: all */
+    int32_t iterations;   /**< 1 to 10000; default 0: as many as the library thinks right */
+    int32_t reject_border; /**< 1 (default): places on the scan's open border do not pull */
+    double sigma_start_mm; /**< noise level of a surface point in the first round; default 3 */
+    double sigma_end_mm;   /**< and in the last; default 0.5 */
+    double max_angle_deg;  /**< between the normals of a vertex and its place; default 60 */
+    double start_rotation[9];    /**< row by row, template to scan; default identity */
+    double start_translation[3]; /**< mm */
+    double start_scale;          /**< default 1 */
+    mien_progress_fn progress; /**< may be null */
+    void *progress_user;
+    mien_cancel *cancel;       /**< may be null */
+} mien_register_options;
+
+/** How far a fit is to be trusted. */
+enum { MIEN_FIT_GOOD = 0, MIEN_FIT_DOUBTFUL = 1, MIEN_FIT_FAILED = 2 };
+
+/** The verdict on a fit; the reasons in words are in the JSON report. */
+typedef struct mien_fit_verdict {
+    uint32_t struct_size;
+    int32_t quality;          /**< MIEN_FIT_* */
+    double coverage;          /**< share of the template's vertices with a scan beside them */
+    double inlier_share;      /**< of those: share that lies on the scan */
+    double mean_residual_mm;
+    double landmark_rms_mm;   /**< 0 without landmarks */
+    double size_ratio;        /**< fitted size over template size */
+    double mean_deviation;    /**< of the coefficients, in standard deviations of the prior */
+    double unit_to_mm;        /**< what one unit of the scan was taken for */
+    int32_t landmarks_used;
+    int32_t landmarks_rejected;
+    int32_t flipped_triangles;
+    int32_t self_intersections;
+} mien_fit_verdict;
+
+/** Fields with one value per template vertex. */
+enum {
+    MIEN_FIELD_RESIDUAL_MM = 1,      /**< signed distance to the scan, positive: the scan lies outside */
+    MIEN_FIELD_WEIGHT = 2,           /**< in [0, 1]: how much of the scan's say counted */
+    MIEN_FIELD_STANDARD_DEVIATION_MM = 3, /**< of the place, per axis (root mean square) */
+    MIEN_FIELD_RADIUS95_MM = 4       /**< the true place lies within, 95 times out of 100 */
+};
+
+/**
+ * Writes the defaults into the first struct_size bytes of *options and zeroes what it does not know.
+ *
+ * @param options     [out] not null.
+ * @param struct_size [in] sizeof(mien_register_options) of the caller.
+ * @errors none (does nothing when options is null or struct_size is below 4)
+ * @owner  nothing
+ * @thread thread-safe
+ * @cancel no
+ * @cost   O(1)
+ * @since  0.1
+ */
+MIEN_API void MIEN_CALL mien_register_options_init(mien_register_options *options, size_t struct_size);
+
+/**
+ * Fits a model's template to a scan: start, then rounds of closest points, robust weights and a weighted
+ * solve with the model's prior, at falling noise levels; then a smooth field for the rest of the gap.
+ * A fit that cannot be trusted is not an error: ask mien_registration_get_verdict().
+ *
+ * @param session [in] not null.
+ * @param model   [in] not null.
+ * @param scan    [in] not null; a surface or a cloud of points, any connectivity, any frame; its unit is
+ *                detected (options.units). Up to 60 degrees off frontal without landmarks.
+ * @param options [in] may be null: no landmarks, all defaults.
+ * @param out     [out] not null; the registration, or null on failure.
+ * @param error   [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (nothing left after cleaning),
+ *         MIEN_E_MISMATCH (scan_weights), MIEN_E_NOT_FOUND (start by landmarks, fewer than three known to the
+ *         model), MIEN_E_NO_SOLUTION, MIEN_E_UNSUPPORTED_OPTION, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY,
+ *         MIEN_E_CANCELLED, MIEN_E_CALLBACK
+ * @owner  the caller releases *out with mien_registration_release()
+ * @thread externally synchronized by session
+ * @cancel yes
+ * @cost   O(rounds (#V r + #V log #F)) time, O(#V r + #F) bytes; r modes
+ * @since  0.1
+ * @source jousse-2022 2.4, 2.5; see src/registration for equations and departures
+ */
+MIEN_API mien_status MIEN_CALL mien_register(mien_session *session, const mien_model *model,
+                                             const mien_mesh *scan, const mien_register_options *options,
+                                             mien_registration **out, mien_error *error);
+
+/**
+ * The fitted template: template topology, the scan's frame, millimetres.
+ *
+ * @param registration [in] may be null (gives null).
+ * @errors none
+ * @owner  the registration; mien_mesh_retain() keeps it longer
+ * @thread thread-safe
+ * @cancel no
+ * @cost   O(1)
+ * @since  0.1
+ */
+MIEN_API const mien_mesh *MIEN_CALL mien_registration_mesh(const mien_registration *registration);
+
+/**
+ * The verdict. Set out->struct_size first.
+ *
+ * @param registration [in] not null.
+ * @param out          [in,out] not null; struct_size as the caller knows it, the rest is written.
+ * @param error        [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT
+ * @owner  nothing
+ * @thread thread-safe
+ * @cancel no
+ * @cost   O(1)
+ * @since  0.1
+ */
+MIEN_API mien_status MIEN_CALL mien_registration_get_verdict(const mien_registration *registration,
+                                                             mien_fit_verdict *out, mien_error *error);
+
+/**
+ * Copies a field with one float64 per template vertex. With dst null and capacity 0: the count only.
+ *
+ * @param registration [in] not null.
+ * @param field        [in] one of MIEN_FIELD_RESIDUAL_MM, MIEN_FIELD_WEIGHT,
+ *                     MIEN_FIELD_STANDARD_DEVIATION_MM, MIEN_FIELD_RADIUS95_MM.
+ * @param dst          [out] room for capacity values, or null.
+ * @param capacity     [in] values that dst holds.
+ * @param count        [out] may be null; #V.
+ * @param error        [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_NOT_FOUND (no such field), MIEN_E_BUFFER_TOO_SMALL (dst untouched,
+ *         count written)
+ * @owner  nothing
+ * @thread thread-safe
+ * @cancel no
+ * @cost   O(#V)
+ * @since  0.1
+ */
+MIEN_API mien_status MIEN_CALL mien_registration_get_field(const mien_registration *registration,
+                                                           int32_t field, double *dst, uint64_t capacity,
+                                                           uint64_t *count, mien_error *error);
+
+/**
+ * The dense correspondence: for every template vertex the scan's triangle (or point, for a cloud) nearest
+ * to its fitted place, and barycentric coordinates in it. Numbers are those of the scan as it was given.
+ *
+ * @param registration [in] not null.
+ * @param triangles    [out] room for capacity numbers, or null.
+ * @param barycentric  [out] room for capacity x 3 values, or null.
+ * @param capacity     [in] rows that each given array holds.
+ * @param count        [out] may be null; #V.
+ * @param error        [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_BUFFER_TOO_SMALL (nothing but count written)
+ * @owner  nothing
+ * @thread thread-safe
+ * @cancel no
+ * @cost   O(#V)
+ * @since  0.1
+ */
+MIEN_API mien_status MIEN_CALL mien_registration_get_correspondence(const mien_registration *registration,
+                                                                    uint32_t *triangles, double *barycentric,
+                                                                    uint64_t capacity, uint64_t *count,
+                                                                    mien_error *error);
+
+/**
+ * The motion from the template's frame to the scan's as a row-major 4 x 4 matrix.
+ *
+ * @param registration [in] not null.
+ * @param matrix       [out] not null; 16 values; lengths in mm.
+ * @param error        [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT
+ * @owner  nothing
+ * @thread thread-safe
+ * @cancel no
+ * @cost   O(1)
+ * @since  0.1
+ */
+MIEN_API mien_status MIEN_CALL mien_registration_get_motion(const mien_registration *registration,
+                                                            double *matrix, mien_error *error);
+
+/**
+ * Verdict with reasons, energies, motion and summaries as JSON text. With dst null and capacity 0: the size only.
+ *
+ * @param registration [in] not null.
+ * @param dst          [out] room for capacity bytes, or null.
+ * @param capacity     [in] bytes that dst holds.
+ * @param count        [out] may be null; bytes with the terminating zero.
+ * @param error        [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_BUFFER_TOO_SMALL (dst untouched, count written), MIEN_E_NO_MEMORY
+ * @owner  nothing
+ * @thread thread-safe
+ * @cancel no
+ * @cost   O(size)
+ * @since  0.1
+ */
+MIEN_API mien_status MIEN_CALL mien_registration_get_json(const mien_registration *registration, char *dst,
+                                                          uint64_t capacity, uint64_t *count,
+                                                          mien_error *error);
+
+/**
+ * Adds a reference.
+ *
+ * @param registration [in] may be null.
+ * @errors none
+ * @owner  the caller owes one more mien_registration_release()
+ * @thread thread-safe
+ * @cancel no
+ * @cost   O(1)
+ * @since  0.1
+ */
+MIEN_API void MIEN_CALL mien_registration_retain(mien_registration *registration);
+
+/**
+ * Releases a registration.
+ *
+ * @param registration [in] may be null.
+ * @errors none
+ * @owner  the caller's reference is gone afterwards
+ * @thread thread-safe
+ * @cancel no
+ * @cost   O(1)
+ * @since  0.1
+ */
+MIEN_API void MIEN_CALL mien_registration_release(mien_registration *registration);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,13 @@
+// A registration as JSON text, for hosts that want everything in one piece.
+#pragma once
+
+#include <string>
+
+#include "registration/registration.hpp"
+
+namespace mien {
+
+/// Verdict, motion, energy, per-vertex summaries. Numbers are round-trip exact.
+std::string registration_json(const RegistrationResult& result);
+
+}  // namespace mien

@@ -1,0 +1,46 @@
+// Is the fit to be trusted? Plain measures of it, limits on them, and the reasons in words: a scan that
+// is no face must not come back as a silent wrong mesh.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/types.hpp"
+
+namespace mien {
+
+/// The numbers are the C ABI's numbers.
+enum class FitQuality : std::int32_t { good = 0, doubtful = 1, failed = 2 };
+
+struct Verdict {
+    FitQuality quality = FitQuality::good;
+    std::vector<std::string> reasons;  ///< why not good; empty when it is
+    double coverage = 0;               ///< share of the template's inner vertices with a scan beside them
+    double inlier_share = 0;           ///< of those beside the scan: within three noise levels
+    double mean_residual_mm = 0;       ///< of the inliers
+    double landmark_rms_mm = 0;        ///< of the landmarks used; 0 without
+    int landmarks_used = 0;
+    std::vector<std::string> landmarks_rejected;
+    double size_ratio = 1;             ///< fitted size over template size
+    double mean_deviation = 0;         ///< of the coefficients, in standard deviations of the prior
+    int flipped_triangles = 0;         ///< against the smooth fit
+    int repaired_triangles = 0;
+    int self_intersections = 0;        ///< pairs of crossing triangles (lips, lids)
+    double unit_to_mm = 1;             ///< what one unit of the scan was taken for
+};
+
+/// Limits beyond which a fit is doubtful or failed.
+struct VerdictLimits {
+    double doubtful_coverage = 0.25, failed_coverage = 0.12;
+    double doubtful_inliers = 0.75, failed_inliers = 0.5;
+    double doubtful_residual_mm = 0.8, failed_residual_mm = 1.6;
+    double doubtful_landmark_mm = 5, failed_landmark_mm = 12;
+    double doubtful_size = 0.2, failed_size = 0.35;  ///< |log(size_ratio)|
+    double doubtful_deviation = 2.5, failed_deviation = 5;
+    int doubtful_flipped = 20, failed_flipped = 400;
+};
+
+/// Sets quality and reasons from the measures.
+void judge(Verdict& verdict, const VerdictLimits& limits);
+
+}  // namespace mien
