@@ -1,0 +1,220 @@
+// Departures from kosk-2024: (3.9) and (3.10) are not inverses of each other; (3.8) with a = -1, b = 1
+// and its inverse are used. (3.3) names the factors the wrong way round; align_points() solves what
+// (3.2) asks for. The scale (3.7) takes the greatest magnitude, not the greatest signed value.
+#include "spectral/face_features.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/error.hpp"
+#include "geometry/alignment.hpp"
+
+namespace mien {
+namespace {
+
+constexpr double kConstant = 1e-12;  // of the largest spread of any feature
+
+Features spread_or_one(const Features& spread) {
+    const double bound = kConstant * std::max(spread.maxCoeff(), 1e-300);
+    return (spread.array() > bound).select(spread, 1.0);
+}
+
+Points centred(const Points& points) {
+    const Eigen::RowVector3d middle =
+        0.5 * (points.colwise().minCoeff() + points.colwise().maxCoeff());
+    return points.rowwise() - middle;
+}
+
+const char* name_of(FeatureKind kind) {
+    switch (kind) {
+        case FeatureKind::euclidean: return "euclidean";
+        case FeatureKind::euclidean_standardised: return "euclidean_standardised";
+        case FeatureKind::euclidean_normalised: return "euclidean_normalised";
+        case FeatureKind::deformation: return "deformation";
+        case FeatureKind::deformation_normalised: return "deformation_normalised";
+        case FeatureKind::deformation_standardised: return "deformation_standardised";
+    }
+    fail(Status::invalid_argument, "feature kind %d is unknown", static_cast<int>(kind));
+}
+
+FeatureKind kind_of(const std::string& name) {
+    for (int k = 1; k <= 6; ++k)
+        if (name == name_of(static_cast<FeatureKind>(k))) return static_cast<FeatureKind>(k);
+    fail(Status::bad_format, "features of an unknown kind");
+}
+
+}  // namespace
+
+FeatureStatistics feature_statistics(Index count, const std::function<Features(Index)>& features) {
+    if (count < 1) fail(Status::invalid_argument, "statistics of no face");
+    FeatureStatistics s;
+    for (Index k = 0; k < count; ++k) {
+        const Features f = features(k);
+        if (k == 0) {
+            s.mean = f;
+            s.least = s.greatest = f;
+            s.deviation = Features::Zero(f.rows(), f.cols());
+            continue;
+        }
+        // Welford: stable whatever the offset.
+        const Features from_old = f - s.mean;
+        s.mean += from_old / static_cast<double>(k + 1);
+        s.deviation += from_old.cwiseProduct(f - s.mean);
+        s.least = s.least.cwiseMin(f);
+        s.greatest = s.greatest.cwiseMax(f);
+    }
+    s.deviation = (s.deviation / static_cast<double>(count)).cwiseMax(0.0).cwiseSqrt();
+    return s;
+}
+
+void standardise(const FeatureStatistics& s, Features& f) {
+    f = (f - s.mean).cwiseQuotient(spread_or_one(s.deviation));
+}
+void destandardise(const FeatureStatistics& s, Features& f) {
+    f = f.cwiseProduct(spread_or_one(s.deviation)) + s.mean;
+}
+void normalise(const FeatureStatistics& s, Features& f) {
+    f = ((f - s.least).cwiseQuotient(spread_or_one(s.greatest - s.least)) * 2.0).array() - 1.0;
+}
+void denormalise(const FeatureStatistics& s, Features& f) {
+    const Features unit = (f.array() + 1.0) * 0.5;
+    f = unit.cwiseProduct(spread_or_one(s.greatest - s.least)) + s.least;
+}
+
+std::shared_ptr<const FaceFeatures> FaceFeatures::train(const TrianglesRef& triangles,
+                                                        const FaceSource& source, FeatureKind kind,
+                                                        const Context& context) {
+    (void)name_of(kind);
+    if (source.count < 1) fail(Status::invalid_argument, "features of no face");
+    Points face;
+    source.face(0, face);
+    Points mean = face;
+    const Index n = mean.rows();
+    for (int round = 0; round < 3; ++round) {
+        Points sum = Points::Zero(n, 3);
+        for (Index k = 0; k < source.count; ++k) {
+            context.progress(Stage::alignment,
+                             (round + static_cast<double>(k) / static_cast<double>(source.count)) / 3);
+            source.face(k, face);
+            if (face.rows() != n)
+                fail(Status::mismatch, "face %lld has %lld vertices, the first one %lld",
+                     static_cast<long long>(k), static_cast<long long>(face.rows()),
+                     static_cast<long long>(n));
+            sum += align_points(face, mean, {}, false).apply(face);
+        }
+        sum /= static_cast<double>(source.count);
+        // The mean drifts in no direction: it is put back onto the first one.
+        mean = align_points(sum, mean, {}, false).apply(sum);
+    }
+    auto features = std::make_shared<FaceFeatures>();
+    features->kind_ = kind;
+    features->mean_.vertices = centred(mean);
+    features->mean_.triangles = triangles;
+    check_mesh(features->mean_, "the mean shape");
+    double largest = 0;
+    for (Index k = 0; k < source.count; ++k) {
+        source.face(k, face);
+        const Points moved = align_points(face, features->mean_.vertices, {}, false).apply(face);
+        largest = std::max(largest, moved.cwiseAbs().maxCoeff());
+    }
+    if (!(largest > 0)) fail(Status::invalid_mesh, "faces without extent");
+    features->scale_mm_ = largest;
+    if (kind >= FeatureKind::deformation)
+        features->deformation_ = std::make_shared<DeformationRepresentation>(features->mean_, context);
+    features->statistics_ = feature_statistics(source.count, [&](Index k) {
+        context.progress(Stage::training, static_cast<double>(k) / static_cast<double>(source.count));
+        source.face(k, face);
+        return features->raw(face, nullptr, context);
+    });
+    context.progress(Stage::training, 1.0);
+    return features;
+}
+
+Features FaceFeatures::raw(const PointsRef& face, Similarity* motion, const Context& context) const {
+    if (face.rows() != num_vertices())
+        fail(Status::mismatch, "a face with %lld vertices for features of %lld",
+             static_cast<long long>(face.rows()), static_cast<long long>(num_vertices()));
+    if (!face.allFinite()) fail(Status::invalid_mesh, "a face with a vertex that is not finite");
+    const Similarity onto_mean = align_points(face, mean_.vertices, {}, false);
+    if (motion != nullptr) *motion = onto_mean;
+    const Points aligned = onto_mean.apply(face);
+    // Deformations have no unit: a common scale of face and template cancels.
+    if (deformation_) return deformation_->encode(aligned, context);
+    return aligned / scale_mm_;
+}
+
+Features FaceFeatures::encode(const PointsRef& face, Similarity* motion, const Context& context) const {
+    Features f = raw(face, motion, context);
+    if (kind_ == FeatureKind::euclidean_standardised || kind_ == FeatureKind::deformation_standardised)
+        standardise(statistics_, f);
+    if (kind_ == FeatureKind::euclidean_normalised || kind_ == FeatureKind::deformation_normalised)
+        normalise(statistics_, f);
+    return f;
+}
+
+Points FaceFeatures::decode(const Eigen::Ref<const Features>& features, const Similarity* motion,
+                            const Context& context) const {
+    if (features.rows() != num_vertices() || features.cols() != num_channels())
+        fail(Status::mismatch, "%lld x %lld features instead of %lld x %d",
+             static_cast<long long>(features.rows()), static_cast<long long>(features.cols()),
+             static_cast<long long>(num_vertices()), num_channels());
+    if (!features.allFinite()) fail(Status::invalid_argument, "features that are not finite");
+    Features f = features;
+    if (kind_ == FeatureKind::euclidean_standardised || kind_ == FeatureKind::deformation_standardised)
+        destandardise(statistics_, f);
+    if (kind_ == FeatureKind::euclidean_normalised || kind_ == FeatureKind::deformation_normalised)
+        denormalise(statistics_, f);
+    const Points face = deformation_ ? deformation_->decode(f, context) : Points(f * scale_mm_);
+    return motion != nullptr ? motion->inverse().apply(face) : face;
+}
+
+void FaceFeatures::save(const std::string& path, const Context& context) const {
+    const auto n = static_cast<std::uint64_t>(num_vertices());
+    const auto c = static_cast<std::uint64_t>(num_channels());
+    write_safetensors(path,
+                      {{"mean_shape", DType::f64, {n, 3}, mean_.vertices.data()},
+                       {"scale_mm", DType::f64, {1}, &scale_mm_},
+                       {"mean", DType::f64, {n, c}, statistics_.mean.data()},
+                       {"deviation", DType::f64, {n, c}, statistics_.deviation.data()},
+                       {"least", DType::f64, {n, c}, statistics_.least.data()},
+                       {"greatest", DType::f64, {n, c}, statistics_.greatest.data()},
+                       {"triangles", DType::u32, {static_cast<std::uint64_t>(mean_.triangles.rows()), 3},
+                        mean_.triangles.data()}},
+                      {{"kind", "mien-face-features"},
+                       {"format", "1.0"},
+                       {"units", "millimetres"},
+                       {"features", name_of(kind_)}},
+                      context);
+}
+
+std::shared_ptr<const FaceFeatures> FaceFeatures::load(const std::string& path,
+                                                       const SafetensorsReadOptions& options,
+                                                       const Context& context) {
+    const SafetensorsFile file = SafetensorsFile::open(path, options, context);
+    file.require_kind("mien-face-features", 1);
+    auto features = std::make_shared<FaceFeatures>();
+    features->kind_ = kind_of(file.metadata("features"));
+    const TensorView& mean = file.tensor("mean_shape", DType::f64, {-1, 3});
+    const auto n = static_cast<std::int64_t>(mean.shape[0]);
+    const std::int64_t c = features->num_channels();
+    features->mean_.vertices = Eigen::Map<const Points>(static_cast<const double*>(mean.data), n, 3);
+    const TensorView& triangles = file.tensor("triangles", DType::u32, {-1, 3});
+    features->mean_.triangles =
+        Eigen::Map<const Triangles>(static_cast<const std::uint32_t*>(triangles.data),
+                                    static_cast<Index>(triangles.shape[0]), 3);
+    check_mesh(features->mean_, "the features' mean shape");
+    features->scale_mm_ = *static_cast<const double*>(file.tensor("scale_mm", DType::f64, {1}).data);
+    if (!(features->scale_mm_ > 0)) fail(Status::bad_format, "features with a scale that is not positive");
+    const auto matrix = [&](const char* name) -> Features {
+        return Eigen::Map<const Features>(
+            static_cast<const double*>(file.tensor(name, DType::f64, {n, c}).data), n, c);
+    };
+    features->statistics_ = {matrix("mean"), matrix("deviation"), matrix("least"), matrix("greatest")};
+    if (features->kind_ >= FeatureKind::deformation)
+        features->deformation_ =
+            std::make_shared<DeformationRepresentation>(features->mean_, context);
+    return features;
+}
+
+}  // namespace mien
