@@ -1,5 +1,6 @@
 #include "geometry/alignment.hpp"
 
+#include <Eigen/LU>
 #include <Eigen/SVD>
 
 #include "base/error.hpp"

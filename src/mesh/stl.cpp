@@ -1,5 +1,6 @@
 // STL, binary and ASCII. The size decides first: many binary files begin with "solid" too. Corners
 // with equal coordinates become one vertex; normals are recomputed where they are needed.
+#include <Eigen/Geometry>
 #include <cmath>
 #include <cstring>
 
