@@ -314,7 +314,7 @@ std::vector<V3> express(const Anatomy& a, const std::vector<V3>& neutral, const 
     const V3 joint = 0.5 * (neutral[a.hinge[0]] + neutral[a.hinge[1]]);
     const V3 axis = normalized(neutral[a.hinge[0]] - neutral[a.hinge[1]]);
     const double open = 0.35 * strengths.left[kJawOpen];
-    const double swing = 0.105 * (strengths.left[kJawLeft] - strengths.left[kJawRight]);
+    const double swing = 0.085 * (strengths.left[kJawLeft] - strengths.left[kJawRight]);
     const double glide = 6.5 * strengths.left[kJawForward] + 3.0 * strengths.left[kJawOpen];
     if (open != 0 || swing != 0 || glide != 0)
         for (int v = 0; v < a.count(); ++v) {

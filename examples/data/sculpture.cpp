@@ -36,8 +36,8 @@ double soft(V3 p, V3 c, V3 s) {
 double skull_and_jaw(V3 p) {
     const V3 q{std::sqrt(p.x * p.x + 16), p.y, p.z};   // rounded |x|: no crease in the middle
     double d = ellipsoid(p, {0, 53, -8}, {73, 85, 92});                 // brain case
-    d = melt(d, ellipsoid(p, {0, 76, -12}, {68, 62, 80}), 10);          // crown
-    d = melt(d, ellipsoid(p, {0, 64, 33}, {62, 60, 61}), 20);           // forehead
+    d = melt(d, ellipsoid(p, {0, 72, -4}, {70, 66, 86}), 14);           // crown
+    d = melt(d, ellipsoid(p, {0, 66, 30}, {63, 62, 64}), 20);           // forehead
     d = melt(d, ellipsoid(p, {0, 0, 30}, {64, 68, 61}), 26);            // middle of the face
     d = melt(d, ellipsoid(p, {0, -44, 44}, {47, 44, 47}), 22);          // jaws
     d = melt(d, capsule(q, {47, -42, 12}, {9, -77, 76}, 10, 10), 26);  // edge of the jaw

@@ -206,9 +206,27 @@ void SurfaceMesher::collapse_short() {
         const double size = size_(mix(points[e[0]], points[e[1]], 0.5));
         // Flagged vertices stay; between equals the first goes.
         const bool first = flags[e[0]] == 0 || (flags[e[0]] & ~flags[e[1]]) == 0;
-        if (!collapse(e[first ? 0 : 1], e[first ? 1 : 0], 4.0 / 3 * size))
-            collapse(e[first ? 1 : 0], e[first ? 0 : 1], 4.0 / 3 * size);
+        // A very short edge has to go even when long ones come of it: those are split again.
+        const double longest = (ratio < 0.45 ? 2.2 : 4.0 / 3) * size;
+        if (!collapse(e[first ? 0 : 1], e[first ? 1 : 0], longest))
+            collapse(e[first ? 1 : 0], e[first ? 0 : 1], longest);
     }
+}
+
+void SurfaceMesher::collapse_caps() {
+    // A vertex that almost lies on a border edge cannot be helped by flips: the edge takes it in.
+    for (std::size_t f = 0; f < triangles.size(); ++f)
+        for (int k = 0; k < 3 && triangles[f][0] >= 0; ++k) {
+            const int a = triangles[f][k], b = triangles[f][(k + 1) % 3], w = triangles[f][(k + 2) % 3];
+            int t[2];
+            if (flags[w] != 0 || edge_triangles(a, b, t) != 1) continue;
+            const V3 edge = points[b] - points[a];
+            const double length = norm(edge);
+            const double height = norm(cross(edge, points[w] - points[a])) / length;
+            if (height > 0.4 * length) continue;
+            const bool first = norm(points[w] - points[a]) < norm(points[w] - points[b]);
+            if (!collapse(w, first ? a : b, 2.5 * length)) collapse(w, first ? b : a, 2.5 * length);
+        }
 }
 
 void SurfaceMesher::flip(bool delaunay) {
@@ -219,7 +237,7 @@ void SurfaceMesher::flip(bool delaunay) {
     for (const Edge& e : edges()) {
         int t[2];
         if (edge_triangles(e[0], e[1], t) != 2) continue;
-        int a = e[0], b = e[1], opposite[2];
+        int a = e[0], b = e[1], opposite[2] = {-1, -1};
         for (int k = 0; k < 2; ++k)
             for (int v : triangles[t[k]])
                 if (v != a && v != b) opposite[k] = v;
@@ -257,6 +275,9 @@ void SurfaceMesher::flip(bool delaunay) {
 }
 
 void SurfaceMesher::relax() {
+    // Weighting triangles by area evens out their sizes; the constant keeps a vertex off an edge that
+    // it lies close to, where the area would let it rest.
+    constexpr double kEven = 0.5;
     const auto old = points;
     for (std::size_t v = 0; v < points.size(); ++v) {
         if (fan_[v].empty() || (flags[v] & kPinned)) continue;
@@ -267,7 +288,7 @@ void SurfaceMesher::relax() {
                 const auto& t = triangles[f];
                 const V3 centre = (old[t[0]] + old[t[1]] + old[t[2]]) / 3;
                 const double area = norm(cross(old[t[1]] - old[t[0]], old[t[2]] - old[t[0]]));
-                const double size = size_(centre), w = area / (size * size) + 1e-3;
+                const double size = size_(centre), w = area / (size * size) + kEven;
                 sum += w * centre;
                 weights += w;
             }
@@ -281,7 +302,9 @@ void SurfaceMesher::relax() {
                     weights += w;
                 }
         }
-        if (weights > 0) points[v] = project(mix(old[v], sum / weights, 0.7), flags[v], 1);
+        // Along a border, lengths as weights already overshoot by two: a longer step would swing.
+        const double step = flags[v] == 0 ? 0.7 : 0.3;
+        if (weights > 0) points[v] = project(mix(old[v], sum / weights, step), flags[v], 1);
     }
 }
 
@@ -290,15 +313,17 @@ void SurfaceMesher::remesh(int rounds, bool delaunay) {
     for (int round = 0; round < rounds; ++round) {
         split_long();
         collapse_short();
+        collapse_caps();
         border_.assign(points.size(), 0);
         for (std::size_t v = 0; v < points.size(); ++v) border_[v] = on_border(static_cast<int>(v));
         flip(delaunay && round + 3 >= rounds);
         for (int k = 0; k < 2; ++k) relax();
     }
-    if (delaunay) {
-        flip(true);
-        flip(true);
-    }
+    if (delaunay)
+        for (int k = 0; k < 4; ++k) {
+            relax();
+            flip(true);
+        }
     compact();
 }
 

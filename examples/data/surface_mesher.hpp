@@ -65,6 +65,7 @@ class SurfaceMesher {
     bool collapse(int gone, int kept, double longest);
     void split_long();
     void collapse_short();
+    void collapse_caps();
     void flip(bool delaunay);
     void relax();
     void drop(int triangle);

@@ -65,11 +65,11 @@ SurfaceMesher half_head() {
     mesher.insert_curve(kEye, outline, front_of_eye);
     mesher.remove_inside(kEye, [&](V3 p) { return front_of_eye(p) && outline(p) < 0; });
     for (const V3 guess : {V3{plan::kEyeInner, 23, 80}, V3{plan::kEyeOuter, 26, 76}}) {
-        const int corner = mesher.nearest(guess, kEye);
-        V3 p = mesher.points[corner];
+        const int end = mesher.nearest(guess, kEye);
+        V3 p = mesher.points[end];
         p.x = guess.x;
         p.y = guess.y;
-        mesher.pin(corner, mesher.project(p, kEye), kEye);
+        mesher.pin(end, mesher.project(p, kEye), kEye);
     }
 
     // mouth: corner pinned, line between the lips cut open
@@ -81,10 +81,12 @@ SurfaceMesher half_head() {
     tip.y = corner_y;
     for (int k = 0; k < 30; ++k) tip.z -= clamp(sculpture(tip), -2, 2);
     mesher.pin(near_corner, tip, kLipUpper | kLipLower);
+    mesher.remesh(2, false);  // the triangles around the corner recover from its move
+    const int corner = mesher.nearest(tip);
     const auto line = [](V3 p) { return p.y - plan::mouth_line(p.x); };
     mesher.insert_curve(kLipUpper, line,
                         [&](V3 p) { return p.z > 75 && p.x < half_width && p.y > -60 && p.y < -30; });
-    mesher.cut(kLipUpper, kLipLower, line, near_corner);
+    mesher.cut(kLipUpper, kLipLower, line, corner);
     mesher.remesh(14, true);
     mesher.project_all();
     return mesher;
