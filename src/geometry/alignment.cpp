@@ -1,6 +1,7 @@
 #include "geometry/alignment.hpp"
 
 #include <Eigen/LU>
+#include <Eigen/LU>
 #include <Eigen/SVD>
 
 #include "base/error.hpp"
