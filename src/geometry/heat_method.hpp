@@ -22,7 +22,10 @@ namespace mien {
 enum class HeatBoundary : std::int32_t { neumann = 1, dirichlet = 2, average = 3 };
 
 struct HeatOptions {
-    double time_factor = 1.0;  ///< t = time_factor * (mean edge length)^2; 0.01 .. 10000
+    /// t = time_factor * (mean edge length)^2; 0.01 .. 10000. The usual factor of 1 leaves the heat
+    /// close to counting edges; 4 halves the error on every sphere we tried (regular, spiral, random
+    /// points) and makes the way there and back differ least on a head with open eyes and mouth.
+    double time_factor = 4.0;
     HeatBoundary boundary = HeatBoundary::neumann;
 };
 

@@ -5,13 +5,11 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "model/kernel_blocks.hpp"
+#include "model/kernel_basis.hpp"
 #include "model/mirror.hpp"
 
 namespace mien {
 namespace {
-
-constexpr Index kControlPoints = 1000;
 
 void check_names(const TriMesh& mesh, const std::vector<Landmark>& landmarks,
                  const std::vector<Zone>& zones) {
@@ -54,30 +52,6 @@ void check_options(const ModelOptions& options, const TriMesh& mesh) {
         fail(Status::invalid_argument, "a negative number of control points");
 }
 
-bool spectral_only(const std::vector<KernelTerm>& terms) {
-    return std::all_of(terms.begin(), terms.end(), [](const KernelTerm& term) {
-        return term.kind == KernelKind::surface_matern;
-    });
-}
-
-/// K = factor factor' for Matern terms: eigenvectors times deviations.
-Matrix spectral_factor(const KernelBlocks& blocks, const std::vector<KernelTerm>& terms) {
-    Vector variances = Vector::Zero(blocks.eigenpairs().values.size());
-    for (const KernelTerm& term : terms)
-        variances += matern_spectrum(blocks.eigenpairs().values, blocks.area_mm2(), term).variances;
-    return blocks.eigenpairs().vectors * variances.cwiseSqrt().asDiagonal();
-}
-
-/// k(x, x) including what the computed eigenpairs leave out, spread evenly over the surface.
-void add_spectral_tail(const KernelBlocks& blocks, const std::vector<KernelTerm>& terms,
-                       Vector& diagonal) {
-    for (const KernelTerm& term : terms)
-        if (term.kind == KernelKind::surface_matern)
-            diagonal.array() +=
-                matern_spectrum(blocks.eigenpairs().values, blocks.area_mm2(), term).tail *
-                term.scale_mm * term.scale_mm;
-}
-
 struct Storage {
     Eigen::MatrixXf basis, pca_modes;
 };
@@ -118,49 +92,18 @@ LowRankReport build_basis(const TriMesh& mesh, const ModelOptions& options, cons
     rank.num_modes = scalar_modes(options, mesh);
     rank.tolerance = options.tolerance;
     rank.threshold = options.eigenvalue_threshold;
-    const Index n = mesh.vertices.rows();
-    const Index wanted = options.num_control_points != 0
-                             ? options.num_control_points
-                             : std::max(kControlPoints, 3 * rank.num_modes);
-    const Index num_control = std::min(wanted, n);
-    context.require_memory(static_cast<std::size_t>(n) * static_cast<std::size_t>(num_control) * 20,
-                           "building a deformation model");
-
-    const bool spectral = spectral_only(options.kernels);
-    std::vector<std::uint32_t> control;
-    if (!spectral) control = farthest_points(mesh.vertices, mesh.triangles, num_control);
-    // A few more pairs than modes: the scale per vertex and the count of vertices reorder them.
-    const Index num_pairs = rank.num_modes + rank.num_modes / 4 + 1;
-    const KernelBlocks blocks(mesh, control, options.kernels, num_pairs, options.heat, context);
-    context.progress(Stage::basis, 0);
-    Vector diagonal = blocks.diagonal(options.kernels);
-    add_spectral_tail(blocks, options.kernels, diagonal);
-    LowRankReport report;
-    Matrix factor;
-    if (spectral) {
-        factor = spectral_factor(blocks, options.kernels);
-    } else {
-        blocks.evaluate(options.kernels, factor, context);
-        factor = nystrom_factor(factor, control, rank, report, context);
-    }
-    if (options.scale_per_vertex.size() != 0) {
-        factor = (options.scale_per_vertex.asDiagonal() * factor).eval();
-        diagonal.array() *= options.scale_per_vertex.array().square();
-    }
-
-    LowRankBasis low_rank;
-    if (options.mirror_symmetric) {
-        low_rank = mirrored_basis(factor, diagonal, mirror_map(mesh), rank, context);
+    const KernelBlocks blocks =
+        prepare_kernel_blocks(mesh, options.kernels, rank.num_modes, options.num_control_points,
+                              options.heat, context);
+    std::vector<std::uint32_t> mirror;
+    if (options.mirror_symmetric) mirror = mirror_map(mesh);
+    LowRankBasis low_rank = kernel_basis(blocks, options.kernels, rank, options.scale_per_vertex,
+                                         context, options.mirror_symmetric ? &mirror : nullptr);
+    if (options.mirror_symmetric)
         model.prior_variance = mirrored_prior_variance(low_rank.parity, options.mirror_correlation);
-    } else {
-        low_rank = principal_basis(factor, diagonal, rank, context);
-    }
-    report.rank = low_rank.report.rank;
-    report.variance_explained = low_rank.report.variance_explained;
-    report.max_variance_error = low_rank.report.max_variance_error;
     storage.basis = std::move(low_rank.basis);
     model.eigenvalues = low_rank.eigenvalues;
-    return report;
+    return low_rank.report;
 }
 
 }  // namespace
