@@ -1,0 +1,207 @@
+#include "geometry/curvature.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <Eigen/Dense>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/parallel.hpp"
+#include "geometry/normals.hpp"
+
+namespace mien {
+namespace {
+
+// Neighbours of every vertex, packed.
+struct Adjacency {
+    std::vector<std::uint32_t> begin, neighbours;
+};
+
+Adjacency build_adjacency(const TrianglesRef& triangles, Index num_vertices) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+    pairs.reserve(static_cast<std::size_t>(triangles.rows()) * 6);
+    for (Index t = 0; t < triangles.rows(); ++t)
+        for (int k = 0; k < 3; ++k) {
+            const std::uint32_t a = triangles(t, k), b = triangles(t, (k + 1) % 3);
+            if (a == b) continue;
+            pairs.emplace_back(a, b);
+            pairs.emplace_back(b, a);
+        }
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    Adjacency adjacency;
+    adjacency.begin.assign(static_cast<std::size_t>(num_vertices) + 1, 0);
+    for (const auto& pair : pairs) {
+        ++adjacency.begin[pair.first + 1];
+        adjacency.neighbours.push_back(pair.second);
+    }
+    for (std::size_t v = 0; v + 1 < adjacency.begin.size(); ++v)
+        adjacency.begin[v + 1] += adjacency.begin[v];
+    return adjacency;
+}
+
+constexpr std::size_t kEnough = 12;  // 10 coefficients and some to spare
+constexpr std::size_t kMost = 200;   // dense scans: the nearest rings suffice
+
+// Vertices reached over edges without leaving the ball; the ball grows while there are too few.
+class Gatherer {
+  public:
+    Gatherer(const PointsRef& vertices, const Adjacency& adjacency)
+        : vertices_(vertices),
+          adjacency_(adjacency),
+          seen_(static_cast<std::size_t>(vertices.rows()), 0) {}
+
+    const std::vector<std::uint32_t>& gather(std::uint32_t centre, double radius) {
+        for (int attempt = 0; attempt < 6; ++attempt, radius *= 1.5) {
+            radius_ = radius;
+            collect(centre, radius);
+            if (found_.size() >= kEnough) break;
+        }
+        return found_;
+    }
+    double radius() const { return radius_; }
+
+  private:
+    void collect(std::uint32_t centre, double radius) {
+        found_.clear();
+        ++stamp_;
+        seen_[centre] = stamp_;
+        found_.push_back(centre);
+        for (std::size_t next = 0; next < found_.size() && found_.size() < kMost; ++next)
+            for (std::uint32_t e = adjacency_.begin[found_[next]];
+                 e < adjacency_.begin[found_[next] + 1]; ++e) {
+                const std::uint32_t v = adjacency_.neighbours[e];
+                if (seen_[v] == stamp_) continue;
+                seen_[v] = stamp_;
+                if ((vertices_.row(v) - vertices_.row(centre)).squaredNorm() <= radius * radius)
+                    found_.push_back(v);
+            }
+    }
+
+    const PointsRef& vertices_;
+    const Adjacency& adjacency_;
+    std::vector<std::uint32_t> seen_;
+    std::uint32_t stamp_ = 0;
+    std::vector<std::uint32_t> found_;
+    double radius_ = 0.0;
+};
+
+struct Frame {
+    Vector3 x, y, z;
+};
+
+Frame frame_of(const Vector3& normal) {
+    Frame frame;
+    frame.z = normal;
+    // Any fixed rule will do; the smallest component keeps it well away from the normal.
+    Index smallest;
+    normal.cwiseAbs().minCoeff(&smallest);
+    frame.x = normal.cross(Vector3::Unit(smallest)).normalized();
+    frame.y = frame.z.cross(frame.x);
+    return frame;
+}
+
+struct Local {
+    double maximal = 0, minimal = 0;
+    Vector3 direction = Vector3::Zero(), normal = Vector3::Zero();
+};
+
+Local fit_vertex(const PointsRef& vertices, const std::vector<std::uint32_t>& near,
+                 const Vector3& normal, double radius, bool robust) {
+    Local result;
+    result.normal = normal;
+    const Index n = static_cast<Index>(near.size());
+    const Index terms = n >= static_cast<Index>(kEnough) ? 10 : 6;
+    if (n < 7 || !(normal.squaredNorm() > 0)) return result;
+    const Frame frame = frame_of(normal);
+    const Vector3 origin = vertices.row(near.front());
+    Matrix design(n, terms);
+    Vector height(n), weight(n);
+    for (Index i = 0; i < n; ++i) {
+        const Vector3 d = Vector3(vertices.row(near[static_cast<std::size_t>(i)])) - origin;
+        const double u = d.dot(frame.x) / radius, v = d.dot(frame.y) / radius;
+        height[i] = d.dot(frame.z) / radius;
+        weight[i] = std::exp(-2.0 * d.squaredNorm() / (radius * radius));
+        design.row(i).head<6>() << 1, u, v, 0.5 * u * u, u * v, 0.5 * v * v;
+        if (terms == 10) design.row(i).tail<4>() << u * u * u, u * u * v, u * v * v, v * v * v;
+    }
+    Vector fitted;
+    const Vector spatial = weight;
+    for (int pass = 0; pass < (robust ? 3 : 1); ++pass) {
+        if (pass > 0) {
+            Vector residual = (height - design * fitted).cwiseAbs();
+            std::vector<double> sorted(residual.data(), residual.data() + n);
+            std::nth_element(sorted.begin(), sorted.begin() + n / 2, sorted.end());
+            const double scale = 4.685 * 1.4826 * sorted[static_cast<std::size_t>(n / 2)];
+            if (!(scale > 1e-12)) break;
+            for (Index i = 0; i < n; ++i) {
+                const double r = residual[i] / scale;
+                weight[i] = r < 1 ? spatial[i] * (1 - r * r) * (1 - r * r) : 0.0;
+            }
+        }
+        Matrix normal_matrix = design.transpose() * weight.asDiagonal() * design;
+        // A trace of ridge: a fan that lies on one line still has an answer.
+        normal_matrix.diagonal().array() +=
+            1e-9 * normal_matrix.trace() / static_cast<double>(terms);
+        const Eigen::LDLT<Matrix> solver(normal_matrix);
+        if (solver.info() != Eigen::Success) return result;
+        fitted = solver.solve(design.transpose() * (weight.asDiagonal() * height));
+        if (!fitted.allFinite()) return result;
+    }
+    const double p = fitted[1], q = fitted[2];
+    const double a = fitted[3] / radius, b = fitted[4] / radius, c = fitted[5] / radius;
+    // Graph of h over the tangent plane: first form (1 + p^2, pq, 1 + q^2), second (a, b, c) / s.
+    const double s = std::sqrt(1 + p * p + q * q);
+    Eigen::Matrix2d first, second;
+    first << 1 + p * p, p * q, p * q, 1 + q * q;
+    second << a, b, b, c;
+    second *= -1.0 / s;  // bulging outwards is positive
+    Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d> solver(second, first);
+    if (solver.info() != Eigen::Success) return result;
+    result.minimal = solver.eigenvalues()[0];
+    result.maximal = solver.eigenvalues()[1];
+    const Eigen::Vector2d t = solver.eigenvectors().col(1);
+    const Vector3 tangent_u = frame.x + p * frame.z, tangent_v = frame.y + q * frame.z;
+    Vector3 direction = (t[0] * tangent_u + t[1] * tangent_v).normalized();
+    Index largest;
+    direction.cwiseAbs().maxCoeff(&largest);
+    if (direction[largest] < 0) direction = -direction;
+    result.direction = direction;
+    result.normal = (frame.z - p * frame.x - q * frame.y) / s;
+    return result;
+}
+
+}  // namespace
+
+CurvatureField estimate_curvature(const PointsRef& vertices, const TrianglesRef& triangles,
+                                  const CurvatureOptions& options, const Context& context) {
+    if (!(options.radius_mm > 0) || !std::isfinite(options.radius_mm))
+        fail(Status::invalid_argument, "a curvature radius of %g mm; give a positive one",
+             options.radius_mm);
+    const Index num_vertices = vertices.rows();
+    const Adjacency adjacency = build_adjacency(triangles, num_vertices);
+    const Points start_normals = vertex_normals(vertices, triangles);
+    CurvatureField field;
+    field.maximal = field.minimal = Vector::Zero(num_vertices);
+    field.direction = field.normals = Points::Zero(num_vertices, 3);
+    parallel_for(context, static_cast<std::size_t>(num_vertices), 2048,
+                 [&](std::size_t begin, std::size_t end) {
+                     Gatherer gatherer(vertices, adjacency);
+                     for (std::size_t i = begin; i < end; ++i) {
+                         const Index v = static_cast<Index>(i);
+                         const auto& near =
+                             gatherer.gather(static_cast<std::uint32_t>(i), options.radius_mm);
+                         const Local local = fit_vertex(vertices, near, start_normals.row(v),
+                                                        gatherer.radius(), options.robust);
+                         field.maximal[v] = local.maximal;
+                         field.minimal[v] = local.minimal;
+                         field.direction.row(v) = local.direction;
+                         field.normals.row(v) = local.normal;
+                     }
+                 });
+    field.mean = 0.5 * (field.maximal + field.minimal);
+    field.gaussian = field.maximal.cwiseProduct(field.minimal);
+    return field;
+}
+
+}  // namespace mien
