@@ -80,6 +80,14 @@ std::vector<double> DemoFaces::face(const Person& person, int expression) const 
     return flat(express(parts_->anatomy, neutral, person, expression), parts_->anatomy.count());
 }
 
+std::vector<std::vector<double>> DemoFaces::all_faces(const Person& person) const {
+    const auto neutral = neutral_shape(parts_->anatomy, parts_->basis, person);
+    std::vector<std::vector<double>> all;
+    for (int e = 0; e < static_cast<int>(expression_names().size()); ++e)
+        all.push_back(flat(express(parts_->anatomy, neutral, person, e), parts_->anatomy.count()));
+    return all;
+}
+
 SimulatedScan DemoFaces::scan(const Person& person, int expression, const ScanOptions& options) const {
     const auto neutral = neutral_shape(parts_->anatomy, parts_->basis, person);
     const auto shape = express(parts_->anatomy, neutral, person, expression);

@@ -39,10 +39,10 @@ struct ScanOptions {
     bool cylindrical = true;       ///< from ear to ear; otherwise from the front only
     double step_mm = 1.0;          ///< distance of scan points
     double noise_mm = 0.15;        ///< standard deviation along the ray
-    double spike_share = 0.001;    ///< share of points that are off by 3 to 25 mm
+    double spike_share = 0.0004;   ///< share of points that are off by 3 to 25 mm
     int holes = 3;
     bool hair = true;
-    double pose_deg = 20, pose_mm = 80;  ///< turned and moved by half to all of this
+    double pose_deg = 14, pose_mm = 80;  ///< turned and moved by half to all of this
     double pick_mm = 1.0;          ///< standard deviation of the picked landmarks, per axis
 };
 
@@ -81,6 +81,8 @@ class DemoFaces {
     Person person(std::uint64_t seed, int subject) const;
     /// Vertices, 3 #V. The expression 0 is neutral.
     std::vector<double> face(const Person& person, int expression) const;
+    /// All expressions of one person, in the order of expression_names(); cheaper than one by one.
+    std::vector<std::vector<double>> all_faces(const Person& person) const;
     SimulatedScan scan(const Person& person, int expression, const ScanOptions& options) const;
 
   private:

@@ -96,12 +96,11 @@ class Writer {
         mien::DatasetWriter writer(session_, mesh(topology.vertices, topology), DemoFaces::expression_names());
         std::vector<mien::Position> positions(topology.vertices.size() / 3);
         for (int s = first; s < first + count; ++s) {
-            const auto person = faces.person(seed, s);
-            for (int e = 0; e < static_cast<int>(DemoFaces::expression_names().size()); ++e) {
-                const auto vertices = faces.face(person, e);
+            int expression = 0;
+            for (const auto& vertices : faces.all_faces(faces.person(seed, s))) {
                 for (std::size_t v = 0; v < positions.size(); ++v)
                     positions[v] = {vertices[3 * v], vertices[3 * v + 1], vertices[3 * v + 2]};
-                writer.add(positions, s, e);
+                writer.add(positions, s, expression++);
             }
         }
         writer.save(session_, folder_ + name);

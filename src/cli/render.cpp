@@ -306,7 +306,7 @@ Image render_mesh(const MeshArrays& mesh, const RenderOptions& options) {
     Image picture = stack_images(parts, true);
     if (options.title.empty()) return picture;
     Image titled(std::max(picture.width, text_width(options.title, 2) + 20), picture.height + 26);
-    draw_text(titled, 10, 8, options.title, kBlack, 2);
+    draw_text(titled, (titled.width - text_width(options.title, 2)) / 2, 8, options.title, kBlack, 2);
     paste(titled, picture, 0, 26);
     return titled;
 }

@@ -15,7 +15,7 @@ namespace {
 struct RenderCommand {
     Common common;
     std::string mesh, scalar, compare, landmarks, zones, out, label, title;
-    std::vector<std::string> views{"front", "left45", "left"};
+    std::vector<std::string> views{"front", "left45", "left"}, beside, captions;
     int size = 480;
     double low = std::nan(""), high = std::nan("");
     bool diverging = false, plain = false, is_signed = false;
@@ -96,6 +96,37 @@ std::vector<double> distances(const MeshArrays& mesh, const MeshArrays& other, b
     return out;
 }
 
+/// The meshes of --beside in their own colours, then the mesh itself, all seen by one camera.
+Image beside_one_another(const Session& session, const RenderCommand& o, const MeshArrays& mesh,
+                         RenderOptions options) {
+    if (!o.captions.empty() && o.captions.size() != o.beside.size() + 1)
+        throw std::runtime_error("--captions: give " + std::to_string(o.beside.size() + 1) +
+                                 ", one for each --beside and one for the mesh");
+    if (o.beside.empty()) {
+        if (!o.captions.empty()) options.title = o.captions.front();
+        return render_mesh(mesh, options);
+    }
+    std::vector<MeshArrays> others;
+    MeshArrays all = mesh;
+    for (const std::string& path : o.beside) {
+        others.push_back(arrays_of(Mesh(session, path)));
+        all.positions.insert(all.positions.end(), others.back().positions.begin(), others.back().positions.end());
+    }
+    options.framing = &all;
+    std::vector<Image> parts;
+    for (std::size_t k = 0; k <= others.size(); ++k) {
+        RenderOptions own = options;
+        if (!o.captions.empty()) own.title = o.captions[k];
+        if (k < others.size()) {
+            own.scalar.clear();
+            own.points.clear();
+            if (o.captions.empty()) own.title.clear();
+        }
+        parts.push_back(render_mesh(k < others.size() ? others[k] : mesh, own));
+    }
+    return stack_images(parts, true);
+}
+
 void run(const RenderCommand& o) {
     const Session session(o.common.num_threads);
     MeshArrays mesh = arrays_of(Mesh(session, o.mesh));
@@ -141,7 +172,7 @@ void run(const RenderCommand& o) {
             }
         }
     }
-    write_png(o.out, render_mesh(mesh, options));
+    write_png(o.out, beside_one_another(session, o, mesh, options));
     nlohmann::json report{{"mesh", o.mesh}, {"out", o.out}, {"vertices", mesh.positions.size()}};
     if (!options.scalar.empty()) {
         double low = HUGE_VAL, high = -HUGE_VAL, sum = 0;
@@ -178,6 +209,11 @@ void add_render_commands(CLI::App& app) {
     command->add_option("--label", options->label, "text beside the colour bar");
     command->add_option("--title", options->title, "text above the picture");
     command->add_option("--views", options->views, "front, left, right, left45, right45, back, top or degrees, comma-separated")
+        ->delimiter(',');
+    command->add_option("--beside", options->beside, "another mesh, drawn to the left in its own colours; may be repeated")
+        ->take_all()
+        ->allow_extra_args(false);
+    command->add_option("--captions", options->captions, "titles, comma-separated: one per --beside, then the mesh's")
         ->delimiter(',');
     command->add_option("--size", options->size, "height of a view in pixels")->check(CLI::Range(32, 4096))->capture_default_str();
     command->add_option("--landmarks", options->landmarks, "landmark file, drawn as dots");
