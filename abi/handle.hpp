@@ -27,6 +27,8 @@ enum class Tag : std::uint32_t {
     hierarchy = 0x4D53000D,
     series = 0x4D53000E,
     transfer = 0x4D53000F,
+    tuning = 0x4D530020,
+    evaluation = 0x4D530010,
 };
 
 /// Base of every object behind a handle. Never moved; freed by release().

@@ -1,10 +1,15 @@
 #include "model.hpp"
 
+#include <algorithm>
+
 #include "arrays.hpp"
 #include "guard.hpp"
 #include "mesh/dataset.hpp"
 #include "model/model_builder.hpp"
 #include "model/model_json.hpp"
+#include "model/posterior.hpp"
+#include "model/sampling.hpp"
+#include "model/tuning.hpp"
 #include "options.hpp"
 #include "session.hpp"
 
@@ -16,6 +21,13 @@ mien_model::mien_model(std::shared_ptr<const DeformationModel> data)
     // Points into the model and keeps it alive.
     mesh = new mien_mesh(std::shared_ptr<const TriMesh>(model, &model->template_mesh));
 }
+
+struct mien_tuning : Object {
+    static constexpr Tag kTag = Tag::tuning;
+    static constexpr const char* kName = "tuning";
+    explicit mien_tuning(std::string report) : Object(kTag), json(std::move(report)) {}
+    const std::string json;
+};
 
 namespace {
 
@@ -134,6 +146,68 @@ ModelOptions read_model_options(const mien_model_options& given) {
     return options;
 }
 
+mien_tune_options default_tune_options() {
+    const TuneOptions core;
+    mien_tune_options options{};
+    options.kernel = static_cast<std::int32_t>(core.kernel.kind);
+    options.scale_mm = core.kernel.scale_mm;
+    options.nu = core.kernel.nu;
+    options.rho = core.rho;
+    options.levels = core.levels;
+    options.num_modes = static_cast<std::int32_t>(core.num_modes);
+    return options;
+}
+
+TuneOptions read_tune_options(const mien_tune_options& given, const FaceDataset& faces) {
+    TuneOptions options;
+    options.kernel = {read_kind(given.kernel), options.kernel.sigma_mm, given.scale_mm, given.nu};
+    options.levels = given.levels;
+    options.num_modes = given.num_modes;
+    options.rho = given.rho;
+    check_count(given.sigma_count, given.sigmas_mm, "sigmas_mm");
+    if (given.sigma_count != 0)
+        options.sigmas_mm.assign(given.sigmas_mm, given.sigmas_mm + given.sigma_count);
+    check_count(given.expression_count, given.expressions, "expressions");
+    std::vector<std::string> expressions;
+    for (std::uint32_t i = 0; i < given.expression_count; ++i)
+        expressions.emplace_back(checked_text(given.expressions[i], "an expression name"));
+    options.faces = select_faces(faces, expressions, given.max_subjects);
+    return options;
+}
+
+std::vector<LandmarkObservation> read_observations(const DeformationModel& model,
+                                                   const mien_landmark_observation* given,
+                                                   std::uint64_t count) {
+    if (given == nullptr) fail(Status::invalid_argument, "observations is null");
+    if (count == 0 || count > kMostNames)
+        fail(Status::invalid_argument, "observation_count is %llu, allowed are 1 to %llu",
+             static_cast<unsigned long long>(count), static_cast<unsigned long long>(kMostNames));
+    std::vector<LandmarkObservation> observations;
+    for (std::uint64_t i = 0; i < count; ++i) {
+        LandmarkObservation seen;
+        seen.vertex = given[i].vertex;
+        if (given[i].name != nullptr) {
+            const auto found =
+                std::find_if(model.landmarks.begin(), model.landmarks.end(),
+                             [&](const Landmark& landmark) { return landmark.name == given[i].name; });
+            if (found == model.landmarks.end())
+                fail_at(Status::not_found, static_cast<std::int64_t>(i),
+                        "the model has no landmark \"%.60s\"", given[i].name);
+            seen.vertex = found->vertex;
+        }
+        if (static_cast<Index>(seen.vertex) >= model.num_vertices())
+            fail_at(Status::invalid_argument, static_cast<std::int64_t>(i),
+                    "observation %llu is vertex %lld of %lld", static_cast<unsigned long long>(i),
+                    static_cast<long long>(seen.vertex), static_cast<long long>(model.num_vertices()));
+        for (int c = 0; c < 3; ++c)
+            seen.displacement_mm[c] =
+                given[i].position[c] - model.template_mesh.vertices(static_cast<Index>(seen.vertex), c);
+        seen.noise_mm = given[i].noise_mm;
+        observations.push_back(seen);
+    }
+    return observations;
+}
+
 mien_status load(mien_session* session, const char* path, bool verify, mien_model** out,
                  mien_error* error) {
     return guarded_create(out, error, [&] {
@@ -210,6 +284,70 @@ mien_status MIEN_CALL mien_model_get_json(const mien_model* model, char* dst, ui
         copy_text(json.data(), json.size(), dst, capacity, count);
     });
 }
+
+mien_status MIEN_CALL mien_model_get_variance(const mien_model* model, double* dst,
+                                              uint64_t capacity, uint64_t* count,
+                                              mien_error* error) {
+    return guarded(error, [&] {
+        const DeformationModel& data = *checked(model, "model").model;
+        const auto rows = static_cast<std::uint64_t>(data.num_vertices());
+        Points variance;
+        if (dst != nullptr && capacity >= rows) variance = pointwise_variance(data, Context());
+        copy_doubles(variance.data(), rows, 3, MIEN_DTYPE_F64, dst, capacity, count);
+    });
+}
+
+mien_status MIEN_CALL mien_model_sample(mien_session* session, const mien_model* model,
+                                        uint64_t seed, uint64_t index, double strength,
+                                        mien_mesh** out, mien_error* error) {
+    return guarded_create(out, error, [&] {
+        const DeformationModel& data = *checked(model, "model").model;
+        const Call call(session);
+        return new mien_mesh(std::make_shared<const TriMesh>(
+            sample_face(data, seed, index, strength, call.context())));
+    });
+}
+
+mien_status MIEN_CALL mien_model_condition(mien_session* session, const mien_model* model,
+                                           const mien_landmark_observation* observations,
+                                           uint64_t observation_count, mien_model** out,
+                                           mien_error* error) {
+    return guarded_create(out, error, [&] {
+        const DeformationModel& data = *checked(model, "model").model;
+        const Call call(session);
+        return new mien_model(condition_model(
+            data, read_observations(data, observations, observation_count), call.context()));
+    });
+}
+
+void MIEN_CALL mien_tune_options_init(mien_tune_options* options, size_t struct_size) {
+    write_defaults(options, struct_size, default_tune_options());
+}
+
+mien_status MIEN_CALL mien_model_tune(mien_session* session, const mien_mesh* template_mesh,
+                                      const char* dataset, const mien_tune_options* options,
+                                      mien_tuning** out, mien_error* error) {
+    return guarded_create(out, error, [&] {
+        const mien_tune_options given = read_options(
+            options, default_tune_options(), MIEN_FIRST_SIZE(mien_tune_options, cancel), "options");
+        const TriMesh& mesh = *checked(template_mesh, "template_mesh").mesh;
+        const Call call(session, given.progress, given.progress_user, given.cancel);
+        const FaceDataset faces = FaceDataset::open(checked_text(dataset, "dataset"),
+                                                    SafetensorsReadOptions{}, call.context());
+        return new mien_tuning(tune_json(
+            tune_kernel(mesh, faces, read_tune_options(given, faces), call.context())));
+    });
+}
+
+mien_status MIEN_CALL mien_tuning_get_json(const mien_tuning* tuning, char* dst, uint64_t capacity,
+                                           uint64_t* count, mien_error* error) {
+    return guarded(error, [&] {
+        const std::string& json = checked(tuning, "tuning").json;
+        copy_text(json.data(), json.size(), dst, capacity, count);
+    });
+}
+
+void MIEN_CALL mien_tuning_release(mien_tuning* tuning) { release(tuning); }
 
 const mien_mesh* MIEN_CALL mien_model_mesh(const mien_model* model) {
     return is_live(model) ? model->mesh : nullptr;

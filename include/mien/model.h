@@ -52,6 +52,15 @@ typedef struct mien_zone {
     uint64_t vertex_count;
 } mien_zone;
 
+/** Where a landmark was seen. */
+typedef struct mien_landmark_observation {
+    const char *name;   /**< of a landmark of the model; null: `vertex` says which */
+    uint32_t vertex;    /**< read when name is null */
+    uint32_t reserved;  /**< zero */
+    double position[3]; /**< mm, in the frame of the template */
+    double noise_mm;    /**< standard deviation of each coordinate, >= 0.000001 */
+} mien_landmark_observation;
+
 /** Initialise with mien_model_options_init(). */
 typedef struct mien_model_options {
     uint32_t struct_size;
@@ -69,7 +78,7 @@ typedef struct mien_model_options {
     double mirror_correlation;  /**< 0 to 1: how much both sides are expected to move alike; default 0 */
     double eigenvalue_threshold; /**< eigenvalues among the control points below this share of the largest
                                       are dropped; 0 < x < 1, default 0.0001 */
-    double heat_time_factor;    /**< heat time in units of (mean edge)^2, 0.01 to 10000, default 1 */
+    double heat_time_factor;    /**< heat time in units of (mean edge)^2, 0.01 to 10000, default 4 */
     int32_t heat_boundary;      /**< MIEN_HEAT_..., default NEUMANN */
     int32_t pca_modes;          /**< default 0: as many as pca_variance asks for */
     const char *pca_dataset;    /**< UTF-8 path of a dataset of registered faces, or null: adds their mean
@@ -214,6 +223,165 @@ MIEN_API mien_status MIEN_CALL mien_model_get_counts(const mien_model *model, ui
  */
 MIEN_API mien_status MIEN_CALL mien_model_get_json(const mien_model *model, char *dst, uint64_t capacity,
                                                    uint64_t *count, mien_error *error);
+
+/**
+ * Prior variance of each coordinate of each vertex, #V x 3 float64, mm^2, modes of both kinds together.
+ *
+ * @param model    [in] not null.
+ * @param dst      [out] room for capacity rows of 3, or null.
+ * @param capacity [in] rows that dst holds.
+ * @param count    [out] may be null; #V.
+ * @param error    [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_BUFFER_TOO_SMALL (dst untouched, count written),
+ *         MIEN_E_NO_MEMORY
+ * @owner  nothing
+ * @thread thread-safe
+ * @cancel no
+ * @cost   O(#V x modes) when dst is given
+ * @since  0.1
+ */
+MIEN_API mien_status MIEN_CALL mien_model_get_variance(const mien_model *model, double *dst,
+                                                       uint64_t capacity, uint64_t *count,
+                                                       mien_error *error);
+
+/**
+ * A random face: the template moved by the mean and `strength` times a draw from the prior. Face `index`
+ * of `seed` is the same whatever else was drawn; strength 0 gives the mean.
+ *
+ * @param session  [in] not null.
+ * @param model    [in] not null.
+ * @param seed     [in] any number.
+ * @param index    [in] any number.
+ * @param strength [in] >= 0; 1: the prior itself.
+ * @param out      [out] not null; #V vertices in mm with the template's triangles, or null on failure.
+ * @param error    [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NO_MEMORY
+ * @owner  the caller releases *out with mien_mesh_release()
+ * @thread externally synchronized by session
+ * @cancel no
+ * @cost   O(#V x modes)
+ * @since  0.1
+ * @source jousse-2022 (2.3)
+ */
+MIEN_API mien_status MIEN_CALL mien_model_sample(mien_session *session, const mien_model *model,
+                                                 uint64_t seed, uint64_t index, double strength,
+                                                 mien_mesh **out, mien_error *error);
+
+/**
+ * The posterior model: what the template may still do once landmarks were seen. It is a model like any
+ * other, with a mean of its own, and may be conditioned again.
+ *
+ * @param session           [in] not null.
+ * @param model             [in] not null; built without mirror correlation.
+ * @param observations      [in] not null; observation_count of them.
+ * @param observation_count [in] 1 to 100000.
+ * @param out               [out] not null; the posterior, or null on failure.
+ * @param error             [out] may be null; detail_index is the first offending observation.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NOT_FOUND (name), MIEN_E_UNSUPPORTED_OPTION (mirror
+ *         correlation), MIEN_E_NO_SOLUTION, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY
+ * @owner  the caller releases *out with mien_model_release()
+ * @thread externally synchronized by session
+ * @cancel no
+ * @cost   O(#V r (h + r)) for r scalar modes and h observations
+ * @since  0.1
+ * @source jousse-2022 (2.13)-(2.14), with one noise per landmark; see src/model/posterior.hpp
+ */
+MIEN_API mien_status MIEN_CALL mien_model_condition(mien_session *session, const mien_model *model,
+                                                    const mien_landmark_observation *observations,
+                                                    uint64_t observation_count, mien_model **out,
+                                                    mien_error *error);
+
+/** A finished search for a kernel's length scale. Immutable. */
+typedef struct mien_tuning mien_tuning;
+
+/** Initialise with mien_tune_options_init(). */
+typedef struct mien_tune_options {
+    uint32_t struct_size;
+    int32_t kernel;          /**< MIEN_KERNEL_..., not NONE; default GEODESIC_SE */
+    const double *sigmas_mm; /**< sigma_count length scales to try, each > 0 */
+    uint64_t sigma_count;    /**< 1 to 10000 */
+    double scale_mm;         /**< > 0, default 1 */
+    double nu;               /**< default 2 */
+    double rho;              /**< weight of the prior in the fits, >= 0, default 5 */
+    int32_t levels;          /**< 1 to 12, default 1 */
+    int32_t num_modes;       /**< deformation modes, >= 3, default 999 */
+    const char *const *expressions; /**< expression_count names: these faces only; null: all */
+    uint32_t expression_count;
+    int32_t max_subjects;    /**< of the dataset's order; 0 (default): all */
+    mien_progress_fn progress; /**< may be null */
+    void *progress_user;
+    mien_cancel *cancel;       /**< may be null */
+} mien_tune_options;
+
+/**
+ * Writes the defaults into the first struct_size bytes of *options and zeroes what it does not know.
+ *
+ * @param options     [out] not null.
+ * @param struct_size [in] sizeof(mien_tune_options) of the caller.
+ * @errors none (does nothing when options is null or struct_size is below 4)
+ * @owner  nothing
+ * @thread thread-safe
+ * @cancel no
+ * @cost   O(1)
+ * @since  0.1
+ */
+MIEN_API void MIEN_CALL mien_tune_options_init(mien_tune_options *options, size_t struct_size);
+
+/**
+ * Fits faces of known correspondence with a kernel of each length scale and reports what is left.
+ *
+ * @param session       [in] not null.
+ * @param template_mesh [in] not null; #V x 3, mm.
+ * @param dataset       [in] UTF-8 path of a dataset in the template's correspondence, not null; its faces may cover
+ *                      only the template's first vertices.
+ * @param options       [in] not null; sigmas_mm at least.
+ * @param out           [out] not null; the tuning, or null on failure.
+ * @param error         [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_NOT_FOUND (expression), MIEN_E_MISMATCH,
+ *         MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_NO_SOLUTION, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY,
+ *         MIEN_E_CANCELLED
+ * @owner  the caller releases *out with mien_tuning_release()
+ * @thread externally synchronized by session
+ * @cancel yes
+ * @cost   geodesics or eigenpairs once, then per sigma O(#V m^2 + m^3) for m control points
+ * @since  0.1
+ * @source jousse-2022 2.6.1, (2.38)-(2.39)
+ */
+MIEN_API mien_status MIEN_CALL mien_model_tune(mien_session *session, const mien_mesh *template_mesh,
+                                               const char *dataset, const mien_tune_options *options,
+                                               mien_tuning **out, mien_error *error);
+
+/**
+ * Residual against sigma as JSON text by the two-call protocol: best_sigma_mm and, per sigma, mean, deviation
+ * and every face's residual norm in mm.
+ *
+ * @param tuning   [in] not null.
+ * @param dst      [out] room for capacity bytes, or null.
+ * @param capacity [in] bytes that dst holds.
+ * @param count    [out] may be null; bytes with the terminating zero.
+ * @param error    [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_BUFFER_TOO_SMALL (dst untouched, count written)
+ * @owner  nothing
+ * @thread thread-safe
+ * @cancel no
+ * @cost   O(size of the text)
+ * @since  0.1
+ */
+MIEN_API mien_status MIEN_CALL mien_tuning_get_json(const mien_tuning *tuning, char *dst, uint64_t capacity,
+                                                    uint64_t *count, mien_error *error);
+
+/**
+ * Releases a tuning.
+ *
+ * @param tuning [in] may be null.
+ * @errors none
+ * @owner  *tuning is gone afterwards
+ * @thread no other call may use the tuning
+ * @cancel no
+ * @cost   O(1)
+ * @since  0.1
+ */
+MIEN_API void MIEN_CALL mien_tuning_release(mien_tuning *tuning);
 
 /**
  * The template.

@@ -1,10 +1,12 @@
-// mien model build|info: how a template may move, computed once and kept in a file.
+// mien model build|info|sample|tune: how a template may move, computed once and kept in a file.
 #include <cstdio>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <stdexcept>
 
 #include "commands.hpp"
+#include "plot.hpp"
 
 namespace mien::cli {
 namespace {
@@ -163,10 +165,137 @@ void add_info(CLI::App& parent) {
     command.footer("Example: mien model info face.safetensors");
     command.callback([settings] {
         const Session session(settings->common.num_threads);
-        const nlohmann::json info = nlohmann::json::parse(Model::load(session, settings->path).json());
+        const nlohmann::json info = nlohmann::json::parse(Model(session, settings->path).json());
         print_info(info);
         write_report(settings->common, info);
     });
+}
+
+struct SampleSettings {
+    Common common;
+    std::string path, out_dir, format = "ply";
+    int count = 1;
+    double strength = 1;
+};
+
+void run_sample(const SampleSettings& settings) {
+    const Session session(settings.common.num_threads);
+    const Model model = Model(session, settings.path);
+    std::filesystem::create_directories(std::filesystem::u8path(settings.out_dir));
+    nlohmann::json files = nlohmann::json::array();
+    for (int k = 0; k < settings.count; ++k) {
+        char name[40];
+        std::snprintf(name, sizeof name, "sample_%03d.", k);
+        const std::string path = settings.out_dir + "/" + name + settings.format;
+        model.sample(session, settings.common.seed, static_cast<std::uint64_t>(k), settings.strength)
+            .save(session, path);
+        files.push_back(path);
+    }
+    std::printf("%d faces in %s\n", settings.count, settings.out_dir.c_str());
+    write_report(settings.common, {{"seed", settings.common.seed}, {"strength", settings.strength}, {"files", files}});
+}
+
+void add_sample(CLI::App& parent) {
+    auto settings = std::make_shared<SampleSettings>();
+    CLI::App& command = *parent.add_subcommand("sample", "write random faces of a model");
+    command.add_option("model", settings->path, "model file")->required();
+    command.add_option("--count", settings->count, "faces")->check(CLI::Range(1, 1000000))->capture_default_str();
+    command.add_option("--strength", settings->strength, "in units of the prior's deviation; 0: the mean")
+        ->capture_default_str();
+    command.add_option("--format", settings->format, "of the mesh files")
+        ->check(CLI::IsMember({"ply", "obj", "stl", "off"}))
+        ->capture_default_str();
+    command.add_option("--out-dir", settings->out_dir, "folder for sample_000.ply, ...")->required();
+    add_common_options(command, settings->common, true);
+    command.footer("Example: mien model sample face.safetensors --count 5 --seed 1 --out-dir samples");
+    command.callback([settings] { run_sample(*settings); });
+}
+
+struct TuneCommand {
+    Common common;
+    std::string template_path, targets, kernel = "geodesic-se", sigmas, plot;
+    TuneSettings tune;
+};
+
+/// "A:B:STEP" with both ends, or "A,B,C".
+std::vector<double> parse_sigmas(const std::string& text) {
+    std::vector<double> values;
+    const bool range = text.find(':') != std::string::npos;
+    try {
+        for (std::size_t at = 0; at <= text.size();) {
+            const std::size_t end = std::min(text.find(range ? ':' : ',', at), text.size());
+            values.push_back(std::stod(text.substr(at, end - at)));
+            at = end + 1;
+        }
+        if (range) {
+            if (values.size() != 3 || !(values[2] > 0) || !(values[1] >= values[0]) ||
+                (values[1] - values[0]) / values[2] > 9999)
+                throw std::invalid_argument("");
+            const double first = values[0], last = values[1], step = values[2];
+            values.clear();
+            for (int k = 0; first + k * step <= last + 1e-9 * step; ++k) values.push_back(first + k * step);
+        }
+    } catch (const std::exception&) {
+        throw std::runtime_error("--sigma " + text + ": expected A:B:STEP or a list A,B,C of millimetres");
+    }
+    return values;
+}
+
+void run_tune(TuneCommand& settings) {
+    const Session session(settings.common.num_threads);
+    const Mesh mesh(session, settings.template_path);
+    settings.tune.kernel = kernels().at(settings.kernel);
+    settings.tune.sigmas_mm = parse_sigmas(settings.sigmas);
+    settings.tune.progress = progress_bar();
+    const nlohmann::json report =
+        nlohmann::json::parse(tune_kernel(session, mesh, settings.targets, settings.tune));
+    Curve curve;
+    curve.label = settings.kernel;
+    curve.markers = true;
+    std::printf("%10s %12s %10s   (residual norm, mm, over %d faces)\n", "sigma", "mean", "sd",
+                report["faces"].get<int>());
+    for (const nlohmann::json& point : report["points"]) {
+        curve.x.push_back(point["sigma_mm"]);
+        curve.y.push_back(point["residual_mean_mm"]);
+        curve.error.push_back(point["residual_sd_mm"]);
+        std::printf("%10g %12.3f %10.3f%s\n", curve.x.back(), curve.y.back(), curve.error.back(),
+                    curve.x.back() == report["best_sigma_mm"].get<double>() ? "   best" : "");
+    }
+    if (!settings.plot.empty()) {
+        PlotOptions options;
+        options.title = "fit with known correspondence, " + settings.kernel;
+        options.x_label = "sigma, mm";
+        options.y_label = "residual norm, mm";
+        options.zero_y = true;
+        write_png(settings.plot, draw_plot({curve}, options));
+    }
+    write_report(settings.common, report);
+}
+
+void add_tune(CLI::App& parent) {
+    auto settings = std::make_shared<TuneCommand>();
+    CLI::App& command = *parent.add_subcommand("tune", "residual against the kernel's length scale");
+    command.add_option("--template", settings->template_path, "template mesh")->required();
+    command.add_option("--targets", settings->targets, "dataset of faces in the template's correspondence")
+        ->required();
+    command.add_option("--kernel", settings->kernel, "what makes two vertices move alike")
+        ->check(CLI::IsMember({"geodesic-se", "euclidean-se", "bspline", "surface-matern"}))
+        ->capture_default_str();
+    command.add_option("--sigma", settings->sigmas, "A:B:STEP or A,B,C, mm")->required();
+    command.add_option("--scale", settings->tune.scale_mm, "deviation of a displacement's coordinate, mm")
+        ->capture_default_str();
+    command.add_option("--nu", settings->tune.nu, "smoothness of surface-matern")->capture_default_str();
+    command.add_option("--levels", settings->tune.levels, "sum of sigma, 2 sigma, 4 sigma, ...")
+        ->capture_default_str();
+    command.add_option("--modes", settings->tune.num_modes, "deformation modes")->capture_default_str();
+    command.add_option("--rho", settings->tune.rho, "weight of the prior in the fits")->capture_default_str();
+    command.add_option("--expressions", settings->tune.expressions, "these faces only")->delimiter(',');
+    command.add_option("--subjects", settings->tune.max_subjects, "the first N subjects only");
+    command.add_option("--plot", settings->plot, "picture of residual against sigma, PNG");
+    add_common_options(command, settings->common);
+    command.footer("Example: mien model tune --template face.ply --targets faces.safetensors --kernel geodesic-se "
+                   "--sigma 10:40:5 --expressions neutral,mouth_stretch --subjects 1 --json tune.json");
+    command.callback([settings] { run_tune(*settings); });
 }
 
 }  // namespace
@@ -176,6 +305,8 @@ void add_model_commands(CLI::App& app) {
     model.require_subcommand(1);
     add_build(model);
     add_info(model);
+    add_sample(model);
+    add_tune(model);
 }
 
 }  // namespace mien::cli

@@ -15,6 +15,25 @@ struct ModelZone {
     std::vector<std::uint32_t> vertices;
 };
 
+/// Where a landmark of the model was seen, in the frame of the template.
+struct LandmarkObservation {
+    std::string name;
+    Position position{{0, 0, 0}};
+    double noise_mm = 1;
+};
+
+/// The settings of mien_tune_options.
+struct TuneSettings {
+    std::int32_t kernel = MIEN_KERNEL_GEODESIC_SE;
+    std::vector<double> sigmas_mm;
+    double scale_mm = 1, nu = 2, rho = 5;
+    int levels = 1, num_modes = 999;
+    std::vector<std::string> expressions;  ///< empty: all
+    int max_subjects = 0;                  ///< 0: all
+    Progress progress;
+    mien_cancel* cancel = nullptr;
+};
+
 /// The settings of mien_model_options; see there for units, ranges and defaults.
 struct ModelSettings {
     std::int32_t kernel = MIEN_KERNEL_GEODESIC_SE;
@@ -25,7 +44,7 @@ struct ModelSettings {
     int num_control_points = 0;
     bool mirror_symmetric = false;
     double mirror_correlation = 0;
-    double heat_time_factor = 1;
+    double heat_time_factor = 4;
     std::int32_t heat_boundary = MIEN_HEAT_NEUMANN;
     std::string pca_dataset;  ///< empty: none
     int pca_modes = 0;
@@ -84,10 +103,10 @@ class Model {
         bridge.call(mien_model_build, session.get(), template_mesh.get(), &options, &model);
         return Model(model);
     }
-    static Model load(const Session& session, const std::string& path) {
+    Model(const Session& session, const std::string& path) {
         mien_model* model = nullptr;
         detail::call(mien_model_load, session.get(), path.c_str(), &model);
-        return Model(model);
+        handle_ = std::shared_ptr<mien_model>(model, mien_model_release);
     }
     /// Without checking the hash and the values: for files that the host trusts.
     static Model load_trusted(const Session& session, const std::string& path) {
@@ -106,6 +125,30 @@ class Model {
     std::size_t scalar_modes() const { return count(1); }
     std::size_t vector_modes() const { return count(2); }
     std::string json() const { return detail::read_text(mien_model_get_json, get()); }
+    /// Random face `index` of `seed`; strength 0 is the mean.
+    Mesh sample(const Session& session, std::uint64_t seed, std::uint64_t index, double strength = 1) const {
+        mien_mesh* mesh = nullptr;
+        detail::call(mien_model_sample, session.get(), get(), seed, index, strength, &mesh);
+        return Mesh(mesh);
+    }
+    /// The posterior once landmarks were seen.
+    Model condition(const Session& session, const std::vector<LandmarkObservation>& seen) const {
+        std::vector<mien_landmark_observation> observations;
+        for (const LandmarkObservation& one : seen)
+            observations.push_back({one.name.c_str(), 0, 0,
+                                    {one.position[0], one.position[1], one.position[2]}, one.noise_mm});
+        mien_model* model = nullptr;
+        detail::call(mien_model_condition, session.get(), get(), observations.data(),
+                     std::uint64_t{observations.size()}, &model);
+        return Model(model);
+    }
+    /// Prior variance per vertex and coordinate, mm^2.
+    std::vector<Position> variance() const {
+        std::vector<Position> out(vertex_count());
+        std::uint64_t rows = 0;
+        detail::call(mien_model_get_variance, get(), out.front().data(), std::uint64_t{out.size()}, &rows);
+        return out;
+    }
     const mien_model* get() const noexcept { return handle_.get(); }
 
   private:
@@ -116,6 +159,33 @@ class Model {
     }
     std::shared_ptr<mien_model> handle_;
 };
+
+/// Residual against sigma on faces of known correspondence, as JSON text.
+inline std::string tune_kernel(const Session& session, const Mesh& template_mesh, const std::string& dataset,
+                               const TuneSettings& settings) {
+    std::vector<const char*> expressions;
+    for (const std::string& name : settings.expressions) expressions.push_back(name.c_str());
+    mien_tune_options options;
+    mien_tune_options_init(&options, sizeof options);
+    options.kernel = settings.kernel;
+    options.sigmas_mm = settings.sigmas_mm.data();
+    options.sigma_count = settings.sigmas_mm.size();
+    options.scale_mm = settings.scale_mm;
+    options.nu = settings.nu;
+    options.rho = settings.rho;
+    options.levels = settings.levels;
+    options.num_modes = settings.num_modes;
+    options.expressions = expressions.data();
+    options.expression_count = static_cast<std::uint32_t>(expressions.size());
+    options.max_subjects = settings.max_subjects;
+    options.cancel = settings.cancel;
+    detail::ProgressBridge bridge(settings.progress);
+    bridge.install(options);
+    mien_tuning* tuning = nullptr;
+    bridge.call(mien_model_tune, session.get(), template_mesh.get(), dataset.c_str(), &options, &tuning);
+    const detail::Handle<mien_tuning, mien_tuning_release> owner(tuning);
+    return detail::read_text(mien_tuning_get_json, static_cast<const mien_tuning*>(tuning));
+}
 
 }  // namespace mien
 
