@@ -39,6 +39,8 @@ bool wants_copy(std::uint64_t rows, const void* dst, std::uint64_t capacity, std
 }  // namespace
 
 void check_view(const mien_array_view& view, int columns, const char* name) {
+    if (reinterpret_cast<std::uintptr_t>(&view) % alignof(mien_array_view) != 0)
+        fail(Status::invalid_argument, "%s, the view itself, is misaligned", name);
     const std::size_t size = view.dtype == MIEN_DTYPE_F64 ? 8 : view.dtype == MIEN_DTYPE_U8 ? 1 : 4;
     if (view.dtype < MIEN_DTYPE_F32 || view.dtype > MIEN_DTYPE_U8)
         fail(Status::invalid_argument, "%s.dtype is %d, which is unknown", name, view.dtype);

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "arrays.hpp"
 #include "guard.hpp"
 #include "measure/area.hpp"
@@ -33,6 +35,15 @@ mien_measure_options read_measure_options(const mien_measure_options* given) {
     if (options.skip_borders != 0 && options.skip_borders != 1)
         fail(Status::unsupported_option, "options.skip_borders is %d, allowed are 0 and 1",
              options.skip_borders);
+    // Refused whatever the function then reads of it: such a value is a mistake of the caller's.
+    for (const double value : {options.correlation_length_mm, options.alignment_rotation_sd_rad,
+                               options.alignment_translation_sd_mm, options.alignment_centre[0],
+                               options.alignment_centre[1], options.alignment_centre[2],
+                               options.common_bias_mm, options.limit_of_detection_ml,
+                               options.max_distance_mm})
+        if (std::isnan(value)) fail(Status::invalid_argument, "an option in options is not a number");
+    if (options.before_sd.count != 0) check_view(options.before_sd, 1, "options.before_sd");
+    if (options.after_sd.count != 0) check_view(options.after_sd, 1, "options.after_sd");
     return options;
 }
 
