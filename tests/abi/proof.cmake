@@ -32,3 +32,17 @@ if(Python3_FOUND)
     endif()
     add_test(NAME abi_planted_changes COMMAND ${python} ${CMAKE_CURRENT_SOURCE_DIR}/planted_changes_layout.py ${PROJECT_SOURCE_DIR})
 endif()
+
+# Every function with every wrong argument; the tables are generated from the headers.
+if(Python3_FOUND)
+    file(GLOB public_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/mien/*.h)
+    set(tables ${CMAKE_CURRENT_BINARY_DIR}/abuse/abuse_tables.inc)
+    file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/abuse)
+    add_custom_command(OUTPUT ${tables}
+        COMMAND ${python} ${CMAKE_CURRENT_SOURCE_DIR}/generate_abuse.py ${public} ${tables}
+        DEPENDS generate_abuse.py ${PROJECT_SOURCE_DIR}/abi/read_headers.py ${public_headers})
+    add_executable(test_abi_abuse abuse/main.cpp abuse/abuse.cpp abuse/struct_abuse.cpp abuse/fixtures.cpp ${tables})
+    target_include_directories(test_abi_abuse PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/abuse)
+    target_link_libraries(test_abi_abuse PRIVATE mien_flags mien::mien)
+    add_test(NAME abi_abuse COMMAND test_abi_abuse WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/abuse)
+endif()

@@ -1,0 +1,206 @@
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+
+#include "abuse.hpp"
+
+namespace abuse {
+#include "abuse_tables.inc"
+
+namespace {
+
+/// Long calls end here: abuse may ask for millions of rounds.
+std::int32_t MIEN_CALL stop_soon(void* calls, std::int32_t, double) {
+    return ++*static_cast<int*>(calls) > 200 ? 1 : 0;
+}
+
+int progress_calls = 0;
+
+template <typename T>
+void put(std::vector<std::uint64_t>& bytes, std::size_t offset, const T& value) {
+    std::memcpy(reinterpret_cast<char*>(bytes.data()) + offset, &value, sizeof value);
+}
+
+}  // namespace
+
+const std::vector<FunctionRow>& functions() {
+    static const std::vector<FunctionRow> rows(std::begin(kFunctions), std::end(kFunctions));
+    return rows;
+}
+
+const std::vector<StructRow>& structs() {
+    static const std::vector<StructRow> rows(std::begin(kStructs), std::end(kStructs));
+    return rows;
+}
+
+const FunctionRow* find_function(const std::string& name) {
+    for (const FunctionRow& row : functions())
+        if (name == row.name) return &row;
+    return nullptr;
+}
+
+const StructRow* find_struct(const std::string& name) {
+    for (const StructRow& row : structs())
+        if (name == row.name) return &row;
+    return nullptr;
+}
+
+Fixtures::Fixtures() {
+    for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x) {
+            positions_.push_back(10.0 * x);
+            positions_.push_back(10.0 * y);
+            positions_.push_back(8.0 * std::sin(0.5 * x) * std::cos(0.4 * y) + 0.1 * x * y);
+        }
+    for (std::uint32_t y = 0; y + 1 < kSide; ++y)
+        for (std::uint32_t x = 0; x + 1 < kSide; ++x) {
+            const std::uint32_t a = y * kSide + x, b = a + 1, c = a + kSide, d = c + 1;
+            triangles_.insert(triangles_.end(), {a, b, d, a, d, c});
+        }
+    zone_ = {13, 14, 15, 25, 26, 27, 37, 38, 39};
+
+    mien_session_options options;
+    mien_session_options_init(&options, sizeof options);
+    options.max_bytes = std::uint64_t{256} << 20;
+    mien_session* session = nullptr;
+    mien_session_create_with_options(MIEN_ABI_VERSION, &options, &session, nullptr);
+    handles_.emplace_back("mien_session", session);
+
+    mien_cancel* cancel = nullptr;
+    mien_cancel_create(&cancel, nullptr);
+    handles_.emplace_back("mien_cancel", cancel);
+
+    mien_mesh* mesh = nullptr;
+    const auto arrays = structure(*find_struct("mien_mesh_arrays"));
+    mien_mesh_create(session, reinterpret_cast<const mien_mesh_arrays*>(arrays.data()), &mesh, nullptr);
+    handles_.emplace_back("mien_mesh", mesh);
+
+    // Whatever else can be made from what exists, by its own create function with good arguments.
+    for (int round = 0; round < 4; ++round)
+        for (const FunctionRow& row : functions()) {
+            std::vector<Argument> arguments;
+            for (std::size_t i = 0; i < row.parameters.size(); ++i) {
+                const ParameterRow& parameter = row.parameters[i];
+                if (parameter.kind != Kind::handle_out || handle(parameter.type) != nullptr) continue;
+                void* made = nullptr;
+                if (!good_arguments(row, arguments)) break;
+                arguments[i].pointer = &made;
+                if (row.call(arguments.data()) == MIEN_OK && made != nullptr)
+                    handles_.emplace_back(parameter.type, made);
+                break;
+            }
+        }
+}
+
+Fixtures::~Fixtures() {
+    for (auto row = handles_.rbegin(); row != handles_.rend(); ++row) {
+        Argument argument;
+        argument.pointer = row->second;
+        find_function(row->first + "_release")->call(&argument);
+    }
+}
+
+void* Fixtures::handle(const std::string& type) const {
+    for (const auto& row : handles_)
+        if (row.first == type) return row.second;
+    return nullptr;
+}
+
+void* Fixtures::other_handle(const std::string& type) const {
+    return handle(type == "mien_mesh" ? "mien_session" : "mien_mesh");
+}
+
+std::vector<std::uint64_t> Fixtures::structure(const StructRow& row, std::size_t extra) const {
+    std::vector<std::uint64_t> bytes((row.size + extra + 7) / 8, 0);
+    if (row.init != nullptr) row.init(bytes.data(), row.size + extra);
+    else if (row.tells_its_size) put(bytes, 0, static_cast<std::uint32_t>(row.size + extra));
+    const mien_array_view points{positions_.data(), kVertices, 0, MIEN_DTYPE_F64, 0};
+    const std::string name = row.name;
+    if (name == "mien_array_view") put(bytes, 0, points);
+    if (name == "mien_mesh_arrays") {
+        put(bytes, offsetof(mien_mesh_arrays, positions), points);
+        put(bytes, offsetof(mien_mesh_arrays, triangles), triangles_.data());
+        put(bytes, offsetof(mien_mesh_arrays, triangle_count), std::uint64_t{triangles_.size() / 3});
+    }
+    for (const FieldRow& field : row.fields) {
+        const std::string label = field.name;
+        if (label == "progress" && field.kind == Field::callback) {
+            progress_calls = 0;
+            put(bytes, field.offset, &stop_soon);
+        }
+        if (label == "progress_user") put(bytes, field.offset, &progress_calls);
+        // Structs without an init function: a named set of vertices, a place with its noise.
+        if (row.init == nullptr && label == "name" && std::string(row.fields[1].name) != "vertex")
+            put(bytes, field.offset, static_cast<const char*>("zone"));
+        if (row.init == nullptr && !row.tells_its_size && field.kind == Field::real64)
+            for (std::size_t k = 0; k < field.size; k += sizeof(double)) put(bytes, field.offset + k, 1.0);
+        if (row.init == nullptr && label == "vertices") put(bytes, field.offset, zone_.data());
+        if (row.init == nullptr && label == "vertex_count" && field.kind == Field::whole64 && !row.tells_its_size)
+            put(bytes, field.offset, std::uint64_t{zone_.size()});
+    }
+    // Functions that take one such struct may take an array of them.
+    if (!row.tells_its_size && row.size % sizeof(std::uint64_t) == 0) {
+        const std::vector<std::uint64_t> one = bytes;
+        for (int copy = 1; copy < 4; ++copy) bytes.insert(bytes.end(), one.begin(), one.end());
+    }
+    return bytes;
+}
+
+bool Fixtures::good_arguments(const FunctionRow& row, std::vector<Argument>& arguments) {
+    static const char* const names[] = {"neutral", "grin", nullptr};
+    kept_.clear();
+    arguments.assign(row.parameters.size() + 1, Argument{});
+    bool complete = true;
+    for (std::size_t i = 0; i < row.parameters.size(); ++i) {
+        const ParameterRow& parameter = row.parameters[i];
+        const std::string name = parameter.name;
+        Argument& argument = arguments[i];
+        switch (parameter.kind) {
+            case Kind::handle:
+                argument.pointer = name == "cancel" && parameter.nullable ? nullptr : handle(parameter.type);
+                complete = complete && (argument.pointer != nullptr || parameter.nullable);
+                break;
+            case Kind::struct_in:
+            case Kind::struct_out:
+                kept_.push_back(structure(*find_struct(parameter.type)));
+                argument.pointer = kept_.back().data();
+                break;
+            case Kind::handle_list:
+                kept_.emplace_back(8, reinterpret_cast<std::uintptr_t>(handle(parameter.type)));
+                argument.pointer = kept_.back().data();
+                break;
+            case Kind::text:
+                argument.pointer = const_cast<char*>(name == "path" ? "abuse.ply" : "neutral");
+                break;
+            case Kind::text_list: argument.pointer = const_cast<char**>(names); break;
+            case Kind::array_out:
+                kept_.emplace_back(std::size_t{1} << 19);
+                argument.pointer = kept_.back().data();
+                break;
+            case Kind::array_in:
+                kept_.emplace_back(4096);
+                argument.pointer = kept_.back().data();
+                break;
+            case Kind::handle_out:
+            case Kind::value_out:
+            case Kind::view_out:
+                kept_.emplace_back(8);
+                argument.pointer = kept_.back().data();
+                break;
+            case Kind::whole:
+                argument.whole = name == "dtype"      ? std::int64_t{MIEN_DTYPE_F64}
+                                 : name == "capacity" ? std::int64_t{1} << 16
+                                 : name.find("count") != std::string::npos ? 2
+                                 : name == "struct_size" ? 4
+                                                         : 0;
+                break;
+            case Kind::real: argument.real = 1; break;
+            case Kind::callback: argument.function = reinterpret_cast<void (*)()>(&stop_soon); break;
+            case Kind::user: argument.pointer = &progress_calls; break;
+            case Kind::error: break;
+        }
+    }
+    return complete;
+}
+
+}  // namespace abuse

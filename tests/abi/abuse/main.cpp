@@ -1,0 +1,62 @@
+// Runs all abuse, in silence: whatever the library would print shows up as a fault. An argument names a
+// file for the trace of all calls.
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#if defined(_WIN32)
+#include <io.h>
+#define dup _dup
+#define dup2 _dup2
+#define fileno _fileno
+#else
+#include <unistd.h>
+#endif
+
+#include "abuse.hpp"
+
+int main(int argc, char** argv) {
+    using namespace abuse;
+    // Standard output and error go to a file while the library runs.
+    std::FILE* heard = std::tmpfile();
+    std::fflush(stdout);
+    const int out = dup(1), err = dup(2);
+    if (heard != nullptr) {
+        dup2(fileno(heard), 1);
+        dup2(fileno(heard), 2);
+    }
+    Verdict verdict;
+    if (argc > 1) verdict.trace = std::fopen(argv[1], "w");
+    std::string missing;
+    {
+        Fixtures fixtures;
+        for (const FunctionRow& row : functions())
+            for (const ParameterRow& parameter : row.parameters)
+                if (parameter.kind == Kind::handle && fixtures.handle(parameter.type) == nullptr &&
+                    missing.find(std::string(parameter.type) + " ") == std::string::npos)
+                    missing += std::string(parameter.type) + " ";
+        check_init_functions(verdict);
+        abuse_parameters(fixtures, verdict);
+        abuse_structs(fixtures, verdict);
+
+        // After all that, the session that lived through it still works.
+        std::vector<Argument> good;
+        const FunctionRow& create = *find_function("mien_mesh_create");
+        fixtures.good_arguments(create, good);
+        verdict.check(observed_call(create, good, "afterwards", verdict) == MIEN_OK, create.name, "fails after the abuse");
+    }
+    std::fflush(stdout);
+    std::fflush(stderr);
+    dup2(out, 1);
+    dup2(err, 2);
+    if (heard != nullptr) {
+        std::fseek(heard, 0, SEEK_END);
+        verdict.check(std::ftell(heard) == 0, "the library", "wrote to standard output or error");
+        std::fclose(heard);
+    }
+    for (const std::string& fault : verdict.faults) std::printf("FAILED: %s\n", fault.c_str());
+    if (!missing.empty()) std::printf("handles only tried dead, none could be made: %s\n", missing.c_str());
+    std::printf("%d calls of %zu functions over %zu structs, %zu faults\n", verdict.calls, functions().size(),
+                structs().size(), verdict.faults.size());
+    return verdict.faults.empty() ? 0 : 1;
+}
