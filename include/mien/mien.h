@@ -14,5 +14,6 @@
 #include "model.h"
 #include "registration.h"
 #include "session.h"
+#include "spectral.h"
 
 #endif

@@ -8,5 +8,6 @@
 #include "detail/measure.hpp"
 #include "detail/model.hpp"
 #include "detail/registration.hpp"
+#include "detail/spectral.hpp"
 
 #endif

@@ -1,7 +1,315 @@
+// mien spectral basis|split|merge|edit|mix|features|hierarchy, mien metric, mien transfer-expression.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <memory>
+
 #include "commands.hpp"
+#include "plot.hpp"
 
 namespace mien::cli {
+namespace {
 
-void add_spectral_commands(CLI::App&) {}
+const std::map<std::string, std::int32_t> kMassNames = {
+    {"voronoi", MIEN_MASS_MIXED_VORONOI}, {"barycentric", MIEN_MASS_BARYCENTRIC}, {"none", MIEN_MASS_NONE}};
+const std::map<std::string, std::int32_t> kCotangentNames = {{"delaunay", MIEN_COTANGENTS_INTRINSIC_DELAUNAY},
+                                                             {"clamp", MIEN_COTANGENTS_CLAMP},
+                                                             {"keep", MIEN_COTANGENTS_KEEP}};
+const std::map<std::string, std::int32_t> kMetricNames = {{"l1", MIEN_METRIC_L1},
+                                                          {"l2", MIEN_METRIC_L2},
+                                                          {"hausdorff", MIEN_METRIC_HAUSDORFF},
+                                                          {"dame", MIEN_METRIC_DAME},
+                                                          {"fmpd", MIEN_METRIC_FMPD}};
+const std::map<std::string, std::int32_t> kFeatureNames = {
+    {"euclidean", MIEN_FEATURES_EUCLIDEAN},
+    {"euclidean-std", MIEN_FEATURES_EUCLIDEAN_STANDARDISED},
+    {"euclidean-norm", MIEN_FEATURES_EUCLIDEAN_NORMALISED},
+    {"dr", MIEN_FEATURES_DEFORMATION},
+    {"dr-norm", MIEN_FEATURES_DEFORMATION_NORMALISED},
+    {"dr-std", MIEN_FEATURES_DEFORMATION_STANDARDISED}};
+
+/// Everything that a command of this file may be given.
+struct Arguments {
+    Common common;
+    std::string mean, basis, in, other, third, out, second_out, data, expression, validate, picture, model;
+    std::uint32_t modes = 500, levels = 4, stride = 2, radius = 2;
+    std::uint64_t k = 500;
+    double factor = 4.0, ridge = 0.0;
+    std::string mass = "voronoi", cotangents = "delaunay", kind = "dr-norm", sampling = "quadric";
+    std::vector<std::uint64_t> limits, candidates;
+    std::vector<double> values;
+};
+using Shared = std::shared_ptr<Arguments>;
+
+CLI::App* command(CLI::App& parent, const char* name, const char* text, const char* example,
+                  const Shared& a, const std::function<void()>& run) {
+    CLI::App* sub = parent.add_subcommand(name, text);
+    sub->footer(std::string("Example:\n  ") + example);
+    add_common_options(*sub, a->common);
+    sub->callback(run);
+    return sub;
+}
+
+std::vector<std::string> keys(const std::map<std::string, std::int32_t>& names) {
+    std::vector<std::string> result;
+    for (const auto& entry : names) result.push_back(entry.first);
+    return result;
+}
+
+void add_basis(CLI::App& group) {
+    auto a = std::make_shared<Arguments>();
+    auto* sub = command(group, "basis", "Computes the spectral basis of a mean shape",
+                        "mien spectral basis --mean mean.ply --modes 500 --out basis.safetensors", a, [a] {
+        const Session session(a->common.num_threads);
+        SpectralBasisOptions options;
+        options.mode_count = a->modes;
+        options.mass = kMassNames.at(a->mass);
+        options.cotangents = kCotangentNames.at(a->cotangents);
+        options.progress = progress_bar();
+        const SpectralBasis basis = SpectralBasis::build(session, Mesh(session, a->mean), options);
+        basis.save(session, a->out);
+        write_report(a->common, {{"modes", basis.mode_count()}, {"eigenvalues", basis.eigenvalues()},
+                                 {"mass", a->mass}, {"cotangents", a->cotangents}});
+    });
+    sub->add_option("--mean", a->mean, "Mean shape, a mesh")->required();
+    sub->add_option("--modes", a->modes, "Number of modes k")->capture_default_str();
+    sub->add_option("--mass", a->mass, "Mass matrix")->check(CLI::IsMember(keys(kMassNames)))->capture_default_str();
+    sub->add_option("--cotangents", a->cotangents, "What to do with negative cotangents")
+        ->check(CLI::IsMember(keys(kCotangentNames)))->capture_default_str();
+    sub->add_option("--out", a->out, "Basis file")->required();
+}
+
+void add_bands(CLI::App& group) {
+    auto a = std::make_shared<Arguments>();
+    auto* sub = command(group, "split", "Splits a face into low and high frequencies",
+                        "mien spectral split --basis basis.safetensors --in face.ply --k 500 --low low.ply "
+                        "--high high.ply", a, [a] {
+        const Session session(a->common.num_threads);
+        const SpectralBasis basis = SpectralBasis::load(session, a->basis);
+        const Mesh face(session, a->in);
+        if (!a->out.empty()) basis.low(session, face, a->k).save(session, a->out);
+        if (!a->second_out.empty()) basis.high(session, face, a->k).save(session, a->second_out);
+    });
+    sub->add_option("--basis", a->basis, "Basis file")->required();
+    sub->add_option("--in", a->in, "Face in the basis' topology")->required();
+    sub->add_option("--k", a->k, "Modes of the low band")->capture_default_str();
+    sub->add_option("--low", a->out, "Mesh of the mean with the low frequencies");
+    sub->add_option("--high", a->second_out, "Mesh of the mean with the high frequencies");
+
+    auto b = std::make_shared<Arguments>();
+    sub = command(group, "merge", "Joins the low frequencies of one face with the high ones of another",
+                  "mien spectral merge --basis basis.safetensors --low low.ply --high high.ply --k 500 "
+                  "--out face.ply", b, [b] {
+        const Session session(b->common.num_threads);
+        SpectralBasis::load(session, b->basis)
+            .assemble(session, Mesh(session, b->in), Mesh(session, b->other), b->k)
+            .save(session, b->out);
+    });
+    sub->add_option("--basis", b->basis, "Basis file")->required();
+    sub->add_option("--low", b->in, "Face that gives the low frequencies")->required();
+    sub->add_option("--high", b->other, "Face that gives the high frequencies")->required();
+    sub->add_option("--k", b->k, "Modes of the low band")->capture_default_str();
+    sub->add_option("--out", b->out, "Mesh to write")->required();
+
+    auto c = std::make_shared<Arguments>();
+    sub = command(group, "edit", "Multiplies each band of a face by a gain: 0 smooths, more than 1 exaggerates",
+                  "mien spectral edit --basis basis.safetensors --in face.ply --limits 100 500 "
+                  "--gains 1 1.5 0 --out edited.ply", c, [c] {
+        const Session session(c->common.num_threads);
+        SpectralBasis::load(session, c->basis)
+            .edit(session, Mesh(session, c->in), c->limits, c->values)
+            .save(session, c->out);
+    });
+    sub->add_option("--basis", c->basis, "Basis file")->required();
+    sub->add_option("--in", c->in, "Face")->required();
+    sub->add_option("--limits", c->limits, "Ascending mode numbers between the bands")->required();
+    sub->add_option("--gains", c->values, "One gain a band; the last band is all beyond the last limit")->required();
+    sub->add_option("--out", c->out, "Mesh to write")->required();
+
+    auto d = std::make_shared<Arguments>();
+    sub = command(group, "mix", "Moves each band of a face towards another's by its own weight",
+                  "mien spectral mix --basis basis.safetensors --in a.ply --with b.ply --limits 100 "
+                  "--weights 0 1 --out mixed.ply", d, [d] {
+        const Session session(d->common.num_threads);
+        SpectralBasis::load(session, d->basis)
+            .mix(session, Mesh(session, d->in), Mesh(session, d->other), d->limits, d->values)
+            .save(session, d->out);
+    });
+    sub->add_option("--basis", d->basis, "Basis file")->required();
+    sub->add_option("--in", d->in, "First face, weight 0")->required();
+    sub->add_option("--with", d->other, "Second face, weight 1")->required();
+    sub->add_option("--limits", d->limits, "Ascending mode numbers between the bands")->required();
+    sub->add_option("--weights", d->values, "One weight a band")->required();
+    sub->add_option("--out", d->out, "Mesh to write")->required();
+}
+
+void add_learning(CLI::App& group) {
+    auto a = std::make_shared<Arguments>();
+    auto* sub = command(group, "features", "Learns a representation of faces: mean, scale and statistics",
+                        "mien spectral features --data faces.safetensors --kind dr-norm --out features.safetensors",
+                        a, [a] {
+        const Session session(a->common.num_threads);
+        const auto learned = Representation::train(session, a->data, kFeatureNames.at(a->kind));
+        learned.save(session, a->out);
+        write_report(a->common, {{"kind", a->kind}, {"channels", learned.channel_count()}});
+    });
+    sub->add_option("--data", a->data, "Dataset")->required();
+    sub->add_option("--kind", a->kind, "Representation")->check(CLI::IsMember(keys(kFeatureNames)))->capture_default_str();
+    sub->add_option("--out", a->out, "Representation file")->required();
+
+    auto b = std::make_shared<Arguments>();
+    sub = command(group, "hierarchy", "Builds coarser levels of a template with maps between them",
+                  "mien spectral hierarchy --template T.ply --levels 4 --factor 4 --out levels.safetensors", b, [b] {
+        const Session session(b->common.num_threads);
+        const Mesh mesh(session, b->in);
+        const Hierarchy levels =
+            b->sampling == "quadric"
+                ? Hierarchy::quadric(session, mesh, b->levels, b->factor)
+                : Hierarchy::connectivity(session, mesh, b->levels, b->stride, b->radius);
+        levels.save(session, b->out);
+        nlohmann::json counts = nlohmann::json::array();
+        for (std::uint32_t l = 0; l < levels.level_count(); ++l) counts.push_back(levels.level(l).vertex_count());
+        write_report(b->common, {{"sampling", b->sampling}, {"vertices", counts}});
+    });
+    sub->add_option("--template", b->in, "Finest mesh")->required();
+    sub->add_option("--sampling", b->sampling, "How levels are made")
+        ->check(CLI::IsMember(std::vector<std::string>{"quadric", "connectivity"}))->capture_default_str();
+    sub->add_option("--levels", b->levels, "Levels below the template")->capture_default_str();
+    sub->add_option("--factor", b->factor, "quadric: vertices are divided by this a level")->capture_default_str();
+    sub->add_option("--stride", b->stride, "connectivity: least distance of kept vertices in edges")->capture_default_str();
+    sub->add_option("--radius", b->radius, "connectivity: edges over which the maps reach")->capture_default_str();
+    sub->add_option("--out", b->out, "Hierarchy file")->required();
+}
+
+void add_metric(CLI::App& app) {
+    CLI::App* group = app.add_subcommand("metric", "Distances between two faces, geometric and perceptual");
+    group->require_subcommand(1);
+    const std::map<std::string, const char*> texts = {
+        {"l1", "Mean of |dx| + |dy| + |dz| over the vertices, mm"},
+        {"l2", "Mean Euclidean distance over the vertices, mm"},
+        {"hausdorff", "Largest distance between the surfaces, mm"},
+        {"dame", "Dihedral Angle Mesh Error, rad: change of creases, same triangles"},
+        {"fmpd", "Fast Mesh Perceptual Distance, 0 to 1: difference of roughness, any triangles"}};
+    for (const auto& entry : kMetricNames) {
+        auto a = std::make_shared<Arguments>();
+        const std::string name = entry.first;
+        const std::int32_t kind = entry.second;
+        const std::string example = "mien metric " + name + " reference.ply other.ply";
+        auto* sub = command(*group, name.c_str(), texts.at(name), example.c_str(), a, [a, name, kind] {
+            const Session session(a->common.num_threads);
+            const double value = metric(session, kind, Mesh(session, a->in), Mesh(session, a->other));
+            std::printf("%.9g\n", value);
+            write_report(a->common, {{"metric", name}, {"value", value}});
+        });
+        sub->add_option("reference", a->in, "Reference mesh")->required();
+        sub->add_option("other", a->other, "Other mesh")->required();
+    }
+}
+
+void draw_front(const std::string& path, const std::vector<mien_band_choice>& choices,
+                const std::string& expression) {
+    Curve all, front;
+    all.label = "every k";
+    all.line = false;
+    all.markers = true;
+    front.label = "Pareto front";
+    front.markers = true;
+    std::vector<mien_band_choice> sorted = choices;
+    std::sort(sorted.begin(), sorted.end(), [](const auto& x, const auto& y) { return x.l1_mm < y.l1_mm; });
+    for (const auto& choice : sorted) {
+        all.x.push_back(choice.l1_mm);
+        all.y.push_back(choice.fmpd);
+        if (choice.on_front == 0) continue;
+        front.x.push_back(choice.l1_mm);
+        front.y.push_back(choice.fmpd);
+    }
+    PlotOptions options;
+    options.title = "band limit k for " + expression;
+    options.x_label = "L1, mm";
+    options.y_label = "FMPD";
+    write_png(path, draw_plot({all, front}, options));
+}
+
+void run_transfer(const Arguments& a) {
+    const Session session(a.common.num_threads);
+    if (!a.in.empty()) {
+        transfer_expression(session, Mesh(session, a.in), Mesh(session, a.other), Mesh(session, a.third))
+            .save(session, a.out);
+        return;
+    }
+    if (a.data.empty() && a.model.empty())
+        throw CLI::ValidationError("transfer-expression",
+                                   "give --source-neutral and --source-expression, or --data, or --model");
+    BlendshapeOptions options;
+    options.ridge = a.ridge;
+    options.progress = progress_bar();
+    const BlendshapeModel model = a.model.empty()
+                                      ? BlendshapeModel::train(session, a.data, a.expression, options)
+                                      : BlendshapeModel::load(session, a.model);
+    if (!a.second_out.empty()) model.save(session, a.second_out);
+    std::uint64_t k = a.k;
+    nlohmann::json report = {{"expression", a.expression}, {"k", k}};
+    std::unique_ptr<SpectralBasis> basis;
+    if (!a.basis.empty()) basis = std::make_unique<SpectralBasis>(SpectralBasis::load(session, a.basis));
+    if (!a.validate.empty()) {
+        if (!basis) throw CLI::ValidationError("--validate", "a search over k needs --basis");
+        const auto choices = model.search(session, *basis, a.validate, a.expression, a.candidates, options);
+        nlohmann::json list = nlohmann::json::array();
+        for (const auto& c : choices) {
+            list.push_back({{"k", c.k}, {"l1_mm", c.l1_mm}, {"dame", c.dame}, {"fmpd", c.fmpd},
+                            {"on_front", c.on_front != 0}, {"chosen", c.chosen != 0}});
+            if (c.chosen != 0) k = c.k;
+        }
+        report["search"] = list;
+        report["k"] = k;
+        if (!a.picture.empty()) draw_front(a.picture, choices, a.expression);
+        if (k > basis->mode_count()) k = std::uint64_t{0x7fffffff};  // coordinates alone
+    }
+    if (!a.third.empty() && !a.out.empty())
+        model.predict(session, Mesh(session, a.third), basis.get(), k).save(session, a.out);
+    write_report(a.common, report);
+}
+
+void add_transfer(CLI::App& app) {
+    auto a = std::make_shared<Arguments>();
+    a->candidates = {0, 10, 20, 50, 100, 200, 300, 500, 1000000000};
+    auto* sub = command(app, "transfer-expression",
+                        "Carries an expression onto a neutral face: from one source face (deformation "
+                        "transfer), or learned from a dataset (blendshape regression in two bands)",
+                        "mien transfer-expression --source-neutral a.ply --source-expression a_smile.ply "
+                        "--target b.ply --out b_smile.ply\n  mien transfer-expression --data faces.safetensors "
+                        "--expression smile --basis basis.safetensors --k 300 --target b.ply --out b_smile.ply",
+                        a, [a] { run_transfer(*a); });
+    auto* neutral = sub->add_option("--source-neutral", a->in, "Neutral face of the source");
+    auto* source = sub->add_option("--source-expression", a->other, "The source with the expression");
+    neutral->needs(source);
+    source->needs(neutral);
+    sub->add_option("--data", a->data, "Dataset to learn from")->excludes(neutral);
+    sub->add_option("--model", a->model, "Blendshape model file instead of --data")->excludes(neutral);
+    sub->add_option("--expression", a->expression, "Name of the expression in the dataset");
+    sub->add_option("--ridge", a->ridge, "Ridge of the regression; 0 chooses by leave-one-out error")->capture_default_str();
+    sub->add_option("--basis", a->basis, "Basis file; without it one band: k = 0 deformations, else coordinates");
+    sub->add_option("--k", a->k, "Modes of the low band")->capture_default_str();
+    sub->add_option("--validate", a->validate, "Dataset of other subjects on which k is chosen");
+    sub->add_option("--candidates", a->candidates, "Values of k to try")->capture_default_str();
+    sub->add_option("--plot", a->picture, "PNG of L1 against FMPD with the Pareto front");
+    sub->add_option("--model-out", a->second_out, "Blendshape model file to write");
+    sub->add_option("--target", a->third, "Neutral face of the target")->needs(
+        sub->add_option("--out", a->out, "Mesh to write"));
+}
+
+}  // namespace
+
+void add_spectral_commands(CLI::App& app) {
+    CLI::App* group = app.add_subcommand("spectral", "Frequency bands, representations and levels of faces");
+    group->require_subcommand(1);
+    add_basis(*group);
+    add_bands(*group);
+    add_learning(*group);
+    add_metric(app);
+    add_transfer(app);
+}
 
 }  // namespace mien::cli

@@ -62,7 +62,7 @@ int main(int argc, char** argv) {
             return std::printf("\n"), 0;
         }
         const EdgeTable edges = build_edge_table(mesh.triangles, mesh.vertices.rows(), context);
-        double euclidean = 0, deformed = 0;
+        double euclidean = 0, deformed = 0, from_own = 0;
         int count = 0;
         for (Index i = 0; i < data.num_faces(); ++i)
             for (Index j = 0; j < data.num_faces(); ++j)
@@ -71,9 +71,15 @@ int main(int argc, char** argv) {
                     Points a, b;
                     data.face(i, a);
                     data.face(j, b);
+                    // From the mean shape, and from the first face itself.
                     const Features half = 0.5 * (dr.encode(a, context) + dr.encode(b, context));
                     euclidean += edge_error(edges, a, b, 0.5 * (a + b));
                     deformed += edge_error(edges, a, b, dr.decode(half, context));
+                    TriMesh own = mesh;
+                    own.vertices = a;
+                    const DeformationRepresentation own_dr(own, context);
+                    const Features own_half = 0.5 * own_dr.encode(b, context);
+                    from_own += edge_error(edges, a, b, own_dr.decode(own_half, context));
                     if (count++ == 0) {
                         TriMesh out = mesh;
                         out.vertices = dr.decode(half, context);
@@ -82,8 +88,10 @@ int main(int argc, char** argv) {
                         write_mesh_file("half_euclidean.ply", out, context);
                     }
                 }
-        std::printf("half-way %s - %s, %d subjects: mean edge length error euclidean %.4f %%, DR %.4f %%\n",
-                    names[0], names[1], count, 100 * euclidean / count, 100 * deformed / count);
+        std::printf("half-way %s - %s, %d subjects: mean edge length error euclidean %.4f %%, DR on the mean "
+                    "shape %.4f %%, DR on the first face %.4f %%\n",
+                    names[0], names[1], count, 100 * euclidean / count, 100 * deformed / count,
+                    100 * from_own / count);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return 1;
