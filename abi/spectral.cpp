@@ -487,6 +487,7 @@ mien_status MIEN_CALL mien_hierarchy_apply(const mien_hierarchy* hierarchy, uint
     });
 }
 
+void MIEN_CALL mien_hierarchy_retain(mien_hierarchy* hierarchy) { retain(hierarchy); }
 void MIEN_CALL mien_hierarchy_release(mien_hierarchy* hierarchy) { release(hierarchy); }
 
 mien_status MIEN_CALL mien_transfer_expression(mien_session* session, const mien_mesh* source_neutral,
@@ -591,6 +592,7 @@ mien_status MIEN_CALL mien_blendshape_model_search(
     });
 }
 
+void MIEN_CALL mien_blendshape_model_retain(mien_blendshape_model* model) { retain(model); }
 void MIEN_CALL mien_blendshape_model_release(mien_blendshape_model* model) { release(model); }
 
 }  // extern "C"

@@ -610,6 +610,19 @@ MIEN_API mien_status MIEN_CALL mien_hierarchy_apply(const mien_hierarchy *hierar
                                                     uint64_t capacity, uint64_t *count, mien_error *error);
 
 /**
+ * Adds a reference: each retain needs a release of its own.
+ *
+ * @param hierarchy [in] may be null.
+ * @errors none
+ * @owner  the caller holds one more reference
+ * @thread thread-safe
+ * @cancel no
+ * @cost   O(1)
+ * @since  0.1
+ */
+MIEN_API void MIEN_CALL mien_hierarchy_retain(mien_hierarchy *hierarchy);
+
+/**
  * Gives one reference back; the last one frees the hierarchy.
  *
  * @param hierarchy [in] may be null.
@@ -808,6 +821,19 @@ MIEN_API mien_status MIEN_CALL mien_blendshape_model_search(
     mien_session *session, const mien_blendshape_model *model, const mien_spectral_basis *basis,
     const char *dataset_path, const char *expression, const uint64_t *candidates, uint32_t candidate_count,
     const mien_blendshape_options *options, mien_band_choice *choices, mien_error *error);
+
+/**
+ * Adds a reference: each retain needs a release of its own.
+ *
+ * @param model [in] may be null.
+ * @errors none
+ * @owner  the caller holds one more reference
+ * @thread thread-safe
+ * @cancel no
+ * @cost   O(1)
+ * @since  0.1
+ */
+MIEN_API void MIEN_CALL mien_blendshape_model_retain(mien_blendshape_model *model);
 
 /**
  * Gives one reference back; the last one frees the model.
