@@ -217,6 +217,7 @@ SafetensorsFile SafetensorsFile::open(const std::string& path,
     const FileBytes bytes = map_file(path);
     try {
         SafetensorsFile file = from_memory(bytes.data, bytes.size, options, context);
+        file.source_ = "'" + shown_path(path) + "'";
         struct Owners {
             std::shared_ptr<const void> mapping, copies;
         };
@@ -245,7 +246,7 @@ SafetensorsFile SafetensorsFile::from_memory(const void* data, std::size_t size,
 const std::string& SafetensorsFile::metadata(const std::string& key) const {
     const auto entry = metadata_.find(key);
     if (entry == metadata_.end())
-        fail(Status::bad_format, "the file's metadata lack '%s'", shown_name(key).c_str());
+        fail(Status::bad_format, "%s: the metadata lack '%s'", source_.c_str(), shown_name(key).c_str());
     return entry->second;
 }
 
@@ -253,18 +254,18 @@ const TensorView& SafetensorsFile::tensor(const std::string& name, DType dtype,
                                           const std::vector<std::int64_t>& shape) const {
     const auto entry = tensors_.find(name);
     if (entry == tensors_.end())
-        fail(Status::bad_format, "the file lacks the tensor '%s'", shown_name(name).c_str());
+        fail(Status::bad_format, "%s lacks the tensor '%s'", source_.c_str(), shown_name(name).c_str());
     const TensorView& view = entry->second;
     if (view.dtype != dtype)
-        fail(Status::bad_format, "tensor '%s' is %s, %s is needed", shown_name(name).c_str(),
+        fail(Status::bad_format, "%s: tensor '%s' is %s, %s is needed", source_.c_str(), shown_name(name).c_str(),
              dtype_name(view.dtype), dtype_name(dtype));
     if (view.shape.size() != shape.size())
-        fail(Status::bad_format, "tensor '%s' has %zu dimensions, %zu are needed",
-             shown_name(name).c_str(), view.shape.size(), shape.size());
+        fail(Status::bad_format, "%s: tensor '%s' has %zu dimensions, %zu are needed",
+             source_.c_str(), shown_name(name).c_str(), view.shape.size(), shape.size());
     for (std::size_t k = 0; k < shape.size(); ++k)
         if (shape[k] >= 0 && view.shape[k] != static_cast<std::uint64_t>(shape[k]))
-            fail(Status::bad_format, "tensor '%s': extent %zu is %llu, %lld is needed",
-                 shown_name(name).c_str(), k, static_cast<unsigned long long>(view.shape[k]),
+            fail(Status::bad_format, "%s: tensor '%s': extent %zu is %llu, %lld is needed",
+                 source_.c_str(), shown_name(name).c_str(), k, static_cast<unsigned long long>(view.shape[k]),
                  static_cast<long long>(shape[k]));
     return view;
 }
@@ -272,9 +273,9 @@ const TensorView& SafetensorsFile::tensor(const std::string& name, DType dtype,
 void SafetensorsFile::require_kind(const char* kind, int known_major) const {
     const auto found = metadata_.find("kind");
     if (found == metadata_.end())
-        fail(Status::wrong_kind, "the file does not say what it is ('kind'); a %s is needed", kind);
+        fail(Status::wrong_kind, "%s does not say what it is ('kind'); a %s is needed", source_.c_str(), kind);
     if (found->second != kind)
-        fail(Status::wrong_kind, "the file is a '%s'; a %s is needed",
+        fail(Status::wrong_kind, "%s is a '%s'; a %s is needed", source_.c_str(),
              shown_name(found->second).c_str(), kind);
     const std::string& format = metadata("format");
     // "major.minor": digits alone, so that no other reading of the text is possible.

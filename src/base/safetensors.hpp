@@ -59,6 +59,7 @@ class SafetensorsFile {
     std::map<std::string, std::string> metadata_;
     std::map<std::string, TensorView> tensors_;
     std::shared_ptr<const void> storage_;
+    std::string source_ = "the file";  ///< its path, for messages
 };
 
 /// A tensor to be written, borrowed until write() returns.

@@ -98,21 +98,45 @@ void run_distance(const Settings& settings) {
     write_report(settings.common, report);
 }
 
-void run_area(const Settings& settings) {
+/// Area of one mesh, whole and per zone, and what it encloses where asked.
+nlohmann::json areas_of(const Session& session, const Settings& settings, const Mesh& mesh) {
+    nlohmann::json areas{{"area_mm2", area_mm2(session, mesh)}, {"zones", nlohmann::json::array()}};
+    for (const MeasureZone& zone : zones_of(settings.zones))
+        areas["zones"].push_back({{"name", zone.name}, {"area_mm2", area_mm2(session, mesh, zone)}});
+    if (settings.closed || settings.close_rims)
+        areas["closed_volume_ml"] = closed_volume_ml(session, mesh, settings.close_rims);
+    return areas;
+}
+
+void run_area_change(const Settings& settings) {
     const Session session(settings.common.num_threads);
-    const Mesh mesh(session, settings.mesh);
-    nlohmann::json report{{"mesh", settings.mesh}, {"area_mm2", area_mm2(session, mesh)}};
-    for (const MeasureZone& zone : zones_of(settings.zones)) {
-        const double area = area_mm2(session, mesh, zone);
-        report["zones"].push_back({{"name", zone.name}, {"area_mm2", area}});
-        std::printf("%-16.16s %12.2f mm^2\n", zone.name.c_str(), area);
-    }
+    nlohmann::json before = areas_of(session, settings, Mesh(session, settings.before));
+    nlohmann::json after = areas_of(session, settings, Mesh(session, settings.after));
+    std::printf("%-16s %12s %12s %10s   mm^2\n", "zone", "before", "after", "change");
+    auto row = [](const std::string& name, double a, double b) {
+        std::printf("%-16.16s %12.2f %12.2f %9.2f%%\n", name.c_str(), a, b, 100 * (b - a) / a);
+    };
+    for (std::size_t z = 0; z < before["zones"].size(); ++z)
+        row(before["zones"][z]["name"], before["zones"][z]["area_mm2"], after["zones"][z]["area_mm2"]);
+    row("whole", before["area_mm2"], after["area_mm2"]);
+    before["mesh"] = settings.before;
+    after["mesh"] = settings.after;
+    write_report(settings.common, {{"before", before}, {"after", after}});
+}
+
+void run_area(const Settings& settings) {
+    if (settings.mesh.empty() == (settings.before.empty() || settings.after.empty()))
+        throw CLI::ValidationError("measure area", "give one mesh, or --before and --after");
+    if (settings.mesh.empty()) return run_area_change(settings);
+    const Session session(settings.common.num_threads);
+    nlohmann::json report = areas_of(session, settings, Mesh(session, settings.mesh));
+    for (const nlohmann::json& zone : report["zones"])
+        std::printf("%-16.16s %12.2f mm^2\n", zone["name"].get<std::string>().c_str(),
+                    zone["area_mm2"].get<double>());
     std::printf("%-16s %12.2f mm^2\n", "whole", report["area_mm2"].get<double>());
-    if (settings.closed || settings.close_rims) {
-        const double volume = closed_volume_ml(session, mesh, settings.close_rims);
-        report["closed_volume_ml"] = volume;
-        std::printf("%-16s %12.4f mL\n", "enclosed", volume);
-    }
+    if (report.contains("closed_volume_ml"))
+        std::printf("%-16s %12.4f mL\n", "enclosed", report["closed_volume_ml"].get<double>());
+    report["mesh"] = settings.mesh;
     write_report(settings.common, report);
 }
 
@@ -157,7 +181,9 @@ void add_measure_commands(CLI::App& app) {
     distance->callback([settings] { run_distance(*settings); });
 
     CLI::App* area = measure->add_subcommand("area", "surface area, and the volume a mesh encloses");
-    area->add_option("mesh", settings->mesh, "mesh file")->required()->check(CLI::ExistingFile);
+    area->add_option("mesh", settings->mesh, "mesh file")->check(CLI::ExistingFile);
+    area->add_option("--before", settings->before, "instead of a mesh: first face")->check(CLI::ExistingFile);
+    area->add_option("--after", settings->after, "and second face")->check(CLI::ExistingFile);
     area->add_option("--zones", settings->zones, "zone file")->check(CLI::ExistingFile);
     area->add_flag("--closed", settings->closed, "also the enclosed volume; an open mesh is an error");
     area->add_flag("--close-rims", settings->close_rims, "the same, closing open rims by fans");

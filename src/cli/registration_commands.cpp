@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "commands.hpp"
+#include "render.hpp"
 
 namespace mien::cli {
 namespace {
@@ -28,6 +29,17 @@ std::vector<double> read_weights(const std::string& path) {
         weights.push_back(value.get<double>());
     }
     return weights;
+}
+
+/// The fitted face coloured by its distance to the scan.
+void write_heatmap(const std::string& path, const Registration& fit) {
+    RenderOptions options;
+    options.scalar = fit.field(MIEN_FIELD_RESIDUAL_MM);
+    options.color_map = ColorMap::diverging;
+    options.low = -2;
+    options.high = 2;
+    options.label = "distance to the scan, mm";
+    write_png(path, render_mesh(arrays_of(fit.mesh()), options));
 }
 
 void run_register(const RegisterArguments& arguments) {
@@ -61,6 +73,7 @@ void run_register(const RegisterArguments& arguments) {
         report["radius95_mm"] = fit.field(MIEN_FIELD_RADIUS95_MM);
     }
     write_report(arguments.common, report);
+    if (!arguments.heatmap.empty()) write_heatmap(arguments.heatmap, fit);
     std::string line = "quality " + report["quality"].get<std::string>();
     for (const auto& reason : report["reasons"]) line += "; " + reason.get<std::string>();
     std::puts(line.c_str());

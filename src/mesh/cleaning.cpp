@@ -1,5 +1,6 @@
 #include "mesh/cleaning.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
