@@ -91,7 +91,7 @@ void fit_pins(const DeformationModel& model, const std::vector<Pin>& pins,
     step.kernel_ridge = 1 / (state.kernel_amplitude * state.kernel_amplitude);
     step.pca_ridge = 1 / (options.pca_amplitude * options.pca_amplitude);
     step.move = options.estimate_motion;
-    step.scale = options.estimate_scale;
+    step.scale = options.estimate_scale != 0;
     move_places(model, solver, state, context);
     // Nothing but the pins speaks, so a handful of other vertices is enough to hold the motion's centre.
     const std::vector<Index> row_of =
@@ -117,7 +117,7 @@ void fit_surface(const DeformationModel& model, const ScanSurface& scan, const V
     step.kernel_ridge = 1 / (state.kernel_amplitude * state.kernel_amplitude);
     step.pca_ridge = 1 / (options.pca_amplitude * options.pca_amplitude);
     step.move = options.estimate_motion;
-    step.scale = options.estimate_scale;
+    step.scale = options.estimate_scale != 0;
     move_places(model, solver, state, context);
 
     CorrespondenceOptions match = options.correspondence;

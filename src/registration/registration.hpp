@@ -50,7 +50,8 @@ struct RegistrationOptions {
     double sigma_end_mm = 0.5;       ///< ... and last
     double robust_factor = 2;        ///< robust scale in noise levels
     double tangential = 0.5;         ///< weight of sliding along the surface against leaving it; 1: point to point
-    double data_weight = 0.1;        ///< independent hits per vertex (neighbours' errors are alike)
+    double data_weight = 0;          ///< independent hits per vertex (neighbours' errors are alike); 0: 1 for
+                                     ///< models with trained modes, 0.1 for others
     CorrespondenceOptions correspondence;
     // Loop
     int iterations = 12;
@@ -59,9 +60,20 @@ struct RegistrationOptions {
     Index sparse_stride = 3;         ///< and that part: one in so many
     double solver_tolerance = 0.1;   ///< by how much a round reduces its equations' residual; the next goes on
     bool estimate_motion = true;
-    bool estimate_scale = true;
+    int estimate_scale = -1;         ///< 1, 0, or -1: only for models without trained modes (those know sizes)
+    double residual_sd_mm = 0.7;     ///< what trained modes leave to the kernel, when its amplitude is automatic
+    Index max_residual_modes = 250;  ///< and the scalar modes spent on it
+    // Approach, when no landmark holds the fit
+    double approach_sigma_mm = 12;   ///< noise level of its first round; it ends at sigma_start_mm
+    int approach_rounds = 30;
+    double approach_weight = 0.05;
+    double approach_tangential = 0.02;
+    Index approach_pca_modes = 40;
+    Index approach_scalar_modes = 20;
     // Rest
     bool close_gap = true;           ///< smooth residual field along the normals
+    double gap_smoothness = 5;
+    bool repair = true;              ///< relax folded triangles
     double normal_smoothing_mm = 2;
 };
 

@@ -95,6 +95,7 @@ std::string registration_json(const RegistrationResult& result) {
     add(json, "flipped_triangles", v.flipped_triangles);
     add(json, "repaired_triangles", v.repaired_triangles);
     add(json, "self_intersections", v.self_intersections);
+    add(json, "search_score", v.search_score);
     add(json, "unit_to_mm", v.unit_to_mm);
     add(json, "iterations", result.iterations);
     add(json, "noise_mm", result.sigma_mm);

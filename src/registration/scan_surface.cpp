@@ -1,5 +1,6 @@
 #include "registration/scan_surface.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -34,6 +35,73 @@ std::vector<std::uint8_t> find_border(Index num_vertices, const Triangles& trian
     return border;
 }
 
+// Mean distance to the nearest other point, from a sample.
+double cloud_spacing(const Points& points) {
+    const Index n = points.rows(), stride = std::max<Index>(1, n / 150);
+    std::vector<double> nearest;
+    for (Index i = 0; i < n; i += stride) {
+        double best = 1e300;
+        for (Index j = 0; j < n; ++j)
+            if (j != i) best = std::min(best, (points.row(i) - points.row(j)).squaredNorm());
+        nearest.push_back(std::sqrt(best));
+    }
+    std::nth_element(nearest.begin(), nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2), nearest.end());
+    return nearest[nearest.size() / 2];
+}
+
+// Normals of a cloud: smallest direction of the points within a radius, turned away from the cloud's middle,
+// which lies behind a face.
+Points cloud_normals(const Points& points, double radius, const Context& context) {
+    const Index n = points.rows();
+    const Eigen::RowVector3d low = points.colwise().minCoeff(), middle = points.colwise().mean();
+    struct Entry {
+        std::int64_t key;
+        std::uint32_t point;
+    };
+    const auto key_of = [&](double x, double y, double z) {
+        const auto cell = [&](double v) { return static_cast<std::int64_t>(std::floor(v / radius)) & 0x1fffff; };
+        return cell(x) << 42 | cell(y) << 21 | cell(z);
+    };
+    std::vector<Entry> cells(static_cast<std::size_t>(n));
+    for (Index i = 0; i < n; ++i)
+        cells[static_cast<std::size_t>(i)] = {key_of(points(i, 0) - low[0], points(i, 1) - low[1], points(i, 2) - low[2]),
+                                              static_cast<std::uint32_t>(i)};
+    std::sort(cells.begin(), cells.end(), [](const Entry& a, const Entry& b) {
+        return a.key < b.key || (a.key == b.key && a.point < b.point);
+    });
+    Points normals = Points::Zero(n, 3);
+    parallel_for(context, static_cast<std::size_t>(n), 512, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            const Eigen::RowVector3d centre = points.row(static_cast<Index>(k));
+            Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+            Matrix3 squares = Matrix3::Zero();
+            int count = 0;
+            for (int a = -1; a <= 1; ++a)
+                for (int b = -1; b <= 1; ++b)
+                    for (int c = -1; c <= 1; ++c) {
+                        const Eigen::RowVector3d at = centre - low + radius * Eigen::RowVector3d(a, b, c);
+                        const std::int64_t key = key_of(at[0], at[1], at[2]);
+                        auto entry = std::lower_bound(cells.begin(), cells.end(), key,
+                                                      [](const Entry& e, std::int64_t v) { return e.key < v; });
+                        for (; entry != cells.end() && entry->key == key && count < 200; ++entry) {
+                            const Eigen::RowVector3d d = points.row(entry->point) - centre;
+                            if (d.squaredNorm() > radius * radius) continue;
+                            sum += d;
+                            squares += d.transpose() * d;
+                            ++count;
+                        }
+                    }
+            if (count < 4) continue;
+            Eigen::SelfAdjointEigenSolver<Matrix3> eigen;
+            eigen.computeDirect(Matrix3(squares / count - sum.transpose() * sum / (count * count)));
+            Vector3 normal = eigen.eigenvectors().col(0);
+            if (normal.dot((centre - middle).transpose()) < 0) normal = -normal;
+            normals.row(static_cast<Index>(k)) = normal.transpose();
+        }
+    });
+    return normals;
+}
+
 }  // namespace
 
 Vector3 ScanSurface::normal_at(const SurfaceHit& hit) const {
@@ -65,6 +133,12 @@ ScanSurface prepare_scan(const TriMesh& mesh, double smoothing_mm, const Context
     scan.vertices = mesh.vertices;
     scan.triangles = mesh.triangles;
     scan.tree = TriangleTree(scan.vertices, scan.triangles, context);
+    if (scan.tree.is_point_cloud()) {
+        scan.on_border.assign(static_cast<std::size_t>(scan.vertices.rows()), 0);
+        scan.spacing_mm = scan.vertices.rows() > 1 ? cloud_spacing(scan.vertices) : 1;
+        scan.normals = cloud_normals(scan.vertices, std::max(2 * scan.spacing_mm, smoothing_mm), context);
+        return scan;
+    }
     scan.on_border = find_border(scan.vertices.rows(), scan.triangles);
     scan.normals = vertex_normals(scan.vertices, scan.triangles);
 

@@ -26,6 +26,7 @@ struct Verdict {
     int flipped_triangles = 0;         ///< against the smooth fit
     int repaired_triangles = 0;
     int self_intersections = 0;        ///< pairs of crossing triangles (lips, lids)
+    double search_score = 0;           ///< of a start without landmarks, 0 to 1; 0 with
     double unit_to_mm = 1;             ///< what one unit of the scan was taken for
 };
 
