@@ -4,8 +4,12 @@
 #include "expression/neutralize_mesh.hpp"
 #include "expression/report_json.hpp"
 #include "expression/training.hpp"
+#include "expression/sampling.hpp"
+#include "expression/scan_transfer.hpp"
+#include "expression_options.hpp"
 #include "guard.hpp"
 #include "options.hpp"
+#include "registration.hpp"
 #include "session.hpp"
 
 using namespace mien;
@@ -26,6 +30,98 @@ mien_train_options default_train_options() {
     return options;
 }
 
+mien_neutralize_options default_neutralize_options() {
+    const NeutralizeMeshOptions core;
+    mien_neutralize_options options{};
+    options.method = MIEN_FIT_MIXTURE;
+    options.max_sweeps = core.neutralize.fit.max_sweeps;
+    options.tolerance_mm = core.neutralize.fit.tolerance;
+    options.decay_mm = core.decay_mm;
+    return options;
+}
+
+NeutralizeMeshOptions read_neutralize_options(const mien_neutralize_options& given) {
+    check_fit(given.method, "options.method");
+    check_pose(given.pose);
+    if (given.reserved != 0) fail(Status::unsupported_option, "options.reserved is not zero");
+    if (given.uncertainty != 0 && given.uncertainty != 1)
+        fail(Status::invalid_argument, "options.uncertainty is %d, allowed are 0 and 1",
+             given.uncertainty);
+    NeutralizeMeshOptions options;
+    options.neutralize.fit.method = static_cast<FitMethod>(given.method);
+    options.neutralize.fit.max_sweeps = given.max_sweeps;
+    options.neutralize.fit.tolerance = given.tolerance_mm;
+    options.neutralize.fit.noise_mm2 = given.noise_mm2;
+    options.neutralize.pose = static_cast<Pose>(given.pose);
+    options.neutralize.uncertainty = given.uncertainty != 0;
+    options.decay_mm = given.decay_mm;
+    return options;
+}
+
+Vector read_coordinates(const mien_array_view* view, const char* name) {
+    return view == nullptr || view->count == 0 ? Vector() : read_values(*view, name);
+}
+
+mien_neutralization* neutralize_face(mien_session* session, const ExpressionModel& model,
+                                     std::shared_ptr<const TriMesh> face, const Vector* weights,
+                                     const mien_neutralize_options* options) {
+    const mien_neutralize_options given =
+        read_options(options, default_neutralize_options(),
+                     MIEN_FIRST_SIZE(mien_neutralize_options, cancel), "options");
+    const NeutralizeMeshOptions settings = read_neutralize_options(given);
+    const Call call(session, given.progress, given.progress_user, given.cancel);
+    Vector own;
+    if (given.weights.count != 0)
+        own = read_values(given.weights, "options.weights");
+    else if (weights != nullptr)
+        own = *weights;
+    NeutralizationResult result = neutralize_mesh(call.context(), model, *face, own, settings);
+
+    auto handle = std::make_unique<mien_neutralization>();
+    auto mesh = std::make_shared<TriMesh>(*face);
+    mesh->vertices = std::move(result.neutral_vertices);
+    handle->face = std::move(face);
+    handle->mesh = new mien_mesh(std::move(mesh));
+    handle->json = neutralization_json(model, result);
+    handle->result = std::move(result);
+    return handle.release();
+}
+
+mien_evaluate_options default_evaluate_options() {
+    mien_evaluate_options options{};
+    options.method = MIEN_FIT_MIXTURE;
+    options.max_sweeps = 200;
+    options.against_method = MIEN_FIT_ALTERNATING;
+    options.against_max_sweeps = 3;
+    return options;
+}
+
+EvaluationOptions evaluation_with(const EvaluationOptions& common, std::int32_t method,
+                                  std::int32_t max_sweeps) {
+    EvaluationOptions options = common;
+    options.neutralize.fit.method = static_cast<FitMethod>(method);
+    options.neutralize.fit.max_sweeps = max_sweeps;
+    return options;
+}
+
+}  // namespace
+
+namespace mien::abi {
+
+std::vector<std::uint32_t> read_vertices(const std::uint32_t* vertices, std::uint64_t count,
+                                         const char* name) {
+    if (count == 0) return {};
+    if (vertices == nullptr) fail(Status::invalid_argument, "%s is null, its count is not 0", name);
+    if (reinterpret_cast<std::uintptr_t>(vertices) % alignof(std::uint32_t) != 0 || count > 0x7fffffffu)
+        fail(Status::invalid_argument, "%s is misaligned or longer than 2^31 - 1", name);
+    return std::vector<std::uint32_t>(vertices, vertices + count);
+}
+
+void check_fit(std::int32_t method, const char* name) {
+    if (method < MIEN_FIT_MIXTURE || method > MIEN_FIT_ALTERNATING)
+        fail(Status::invalid_argument, "%s is %d; use one of MIEN_FIT_...", name, method);
+}
+
 TrainOptions read_train_options(const mien_train_options& given) {
     TrainOptions options;
     if (given.method != MIEN_TRAIN_JPCA && given.method != MIEN_TRAIN_QOJPCA)
@@ -41,52 +137,23 @@ TrainOptions read_train_options(const mien_train_options& given) {
     options.subspaces.lambda_factor = given.lambda_factor;
     options.subspaces.angle_tolerance_rad = given.angle_tolerance_rad;
     options.span.passes = given.passes;
+    options.stable_vertices =
+        read_vertices(given.stable_vertices, given.stable_count, "options.stable_vertices");
     options.map_noise_mm2 = options.mixture_noise_mm2 = given.noise_mm2;
     return options;
 }
 
-mien_neutralize_options default_neutralize_options() {
-    const NeutralizeMeshOptions core;
-    mien_neutralize_options options{};
-    options.method = MIEN_FIT_MIXTURE;
-    options.max_sweeps = core.neutralize.fit.max_sweeps;
-    options.tolerance_mm = core.neutralize.fit.tolerance;
-    options.decay_mm = core.decay_mm;
-    return options;
+void check_pose(std::int32_t pose) {
+    if (pose < MIEN_POSE_AUTO || pose > MIEN_POSE_RIGID)
+        fail(Status::invalid_argument, "options.pose is %d; use one of MIEN_POSE_...", pose);
 }
 
-NeutralizeMeshOptions read_neutralize_options(const mien_neutralize_options& given) {
-    if (given.method < MIEN_FIT_MIXTURE || given.method > MIEN_FIT_ALTERNATING)
-        fail(Status::invalid_argument, "options.method is %d; use one of MIEN_FIT_...", given.method);
-    if (given.uncertainty != 0 && given.uncertainty != 1)
-        fail(Status::invalid_argument, "options.uncertainty is %d, allowed are 0 and 1",
-             given.uncertainty);
-    NeutralizeMeshOptions options;
-    options.neutralize.fit.method = static_cast<FitMethod>(given.method);
-    options.neutralize.fit.max_sweeps = given.max_sweeps;
-    options.neutralize.fit.tolerance = given.tolerance_mm;
-    options.neutralize.fit.noise_mm2 = given.noise_mm2;
-    options.neutralize.uncertainty = given.uncertainty != 0;
-    options.decay_mm = given.decay_mm;
-    return options;
+mien_train_options given_train_options(const mien_train_options* options) {
+    return read_options(options, default_train_options(), MIEN_FIRST_SIZE(mien_train_options, cancel),
+                        "options");
 }
 
-Vector read_coordinates(const mien_array_view* view, const char* name) {
-    return view == nullptr || view->count == 0 ? Vector() : read_values(*view, name);
-}
-
-mien_neutralization* finish(const ExpressionModel& model, const TriMesh& face,
-                            NeutralizationResult&& result) {
-    auto handle = std::make_unique<mien_neutralization>();
-    auto mesh = std::make_shared<TriMesh>(face);
-    mesh->vertices = std::move(result.neutral_vertices);
-    handle->mesh = new mien_mesh(std::move(mesh));
-    handle->json = neutralization_json(model, result);
-    handle->result = std::move(result);
-    return handle.release();
-}
-
-}  // namespace
+}  // namespace mien::abi
 
 extern "C" {
 
@@ -102,15 +169,11 @@ mien_status MIEN_CALL mien_expression_model_train(mien_session* session, const c
                                                   const mien_train_options* options,
                                                   mien_expression_model** out, mien_error* error) {
     return guarded_create(out, error, [&] {
-        const mien_train_options given = read_options(
-            options, default_train_options(), MIEN_FIRST_SIZE(mien_train_options, cancel), "options");
+        const mien_train_options given = given_train_options(options);
         const TrainOptions settings = read_train_options(given);
         const Call call(session, given.progress, given.progress_user, given.cancel);
-        // Training looks at every face itself; hashing and checking first would read the file twice and
-        // hold all of it in memory.
-        const SafetensorsReadOptions unverified{false, false};
         auto dataset = std::make_shared<FaceDataset>(FaceDataset::open(
-            checked_text(dataset_path, "dataset_path"), unverified, call.context()));
+            checked_text(dataset_path, "dataset_path"), unverified(), call.context()));
         TrainReport report;
         auto model = train_expression_model(std::move(dataset), settings, call.context(), &report);
         std::string json = training_json(*model, report);
@@ -181,23 +244,126 @@ mien_status MIEN_CALL mien_expression_model_synthesize(mien_session* session,
     });
 }
 
+mien_status MIEN_CALL mien_expression_model_sample(mien_session* session,
+                                                   const mien_expression_model* model, uint64_t seed,
+                                                   const char* expression, mien_mesh** out,
+                                                   mien_error* error) {
+    return guarded_create(out, error, [&] {
+        const Call call(session);
+        const ExpressionModel& data = *checked(model, "model").model;
+        auto mesh = std::make_shared<TriMesh>();
+        mesh->vertices = sample_face(call.context(), data, seed, expression == nullptr ? "" : expression);
+        mesh->triangles = data.triangles;
+        return new mien_mesh(std::move(mesh));
+    });
+}
+
+mien_status MIEN_CALL mien_expression_model_transfer(mien_session* session,
+                                                     const mien_expression_model* model,
+                                                     const mien_neutralization* source,
+                                                     const mien_neutralization* target, mien_mesh** out,
+                                                     mien_error* error) {
+    return guarded_create(out, error, [&] {
+        const Call call(session);
+        const ExpressionModel& data = *checked(model, "model").model;
+        const NeutralizationResult& from = checked(source, "source").result;
+        const mien_neutralization& to = checked(target, "target");
+        auto mesh = std::make_shared<TriMesh>(*to.mesh->mesh);
+        mesh->vertices = transfer_expression(call.context(), data, *to.mesh->mesh, to.result.pose,
+                                             from.expression);
+        return new mien_mesh(std::move(mesh));
+    });
+}
+
+mien_status MIEN_CALL mien_neutralize(mien_session* session, const mien_expression_model* model,
+                                      const mien_registration* fitted,
+                                      const mien_neutralize_options* options,
+                                      mien_neutralization** out, mien_error* error) {
+    return guarded_create(out, error, [&] {
+        checked(session, "session");
+        const mien_registration& registration = checked(fitted, "fitted");
+        const ExpressionModel& data = *checked(model, "model").model;
+        return neutralize_face(session, data, registration.mesh->mesh, &registration.data.weight, options);
+    });
+}
+
 mien_status MIEN_CALL mien_neutralize_mesh(mien_session* session, const mien_expression_model* model,
                                            const mien_mesh* face,
                                            const mien_neutralize_options* options,
                                            mien_neutralization** out, mien_error* error) {
     return guarded_create(out, error, [&] {
-        const mien_neutralize_options given =
-            read_options(options, default_neutralize_options(),
-                         MIEN_FIRST_SIZE(mien_neutralize_options, cancel), "options");
-        const NeutralizeMeshOptions settings = read_neutralize_options(given);
-        const Call call(session, given.progress, given.progress_user, given.cancel);
+        checked(session, "session");
         const ExpressionModel& data = *checked(model, "model").model;
-        const TriMesh& mesh = *checked(face, "face").mesh;
-        const Vector weights =
-            given.weights.count == 0 ? Vector() : read_values(given.weights, "options.weights");
-        return finish(data, mesh, neutralize_mesh(call.context(), data, mesh, weights, settings));
+        return neutralize_face(session, data, checked(face, "face").mesh, nullptr, options);
     });
 }
+
+mien_status MIEN_CALL mien_neutralization_apply_to_scan(mien_session* session,
+                                                        const mien_neutralization* neutralization,
+                                                        const mien_mesh* scan, double max_distance_mm,
+                                                        mien_mesh** out, mien_error* error) {
+    return guarded_create(out, error, [&] {
+        const Call call(session);
+        const mien_neutralization& source = checked(neutralization, "neutralization");
+        const TriMesh& target = *checked(scan, "scan").mesh;
+        ScanTransferOptions options;
+        if (max_distance_mm != 0.0) options.max_distance_mm = max_distance_mm;
+        ScanTransferResult moved = transfer_to_scan(call.context(), *source.face,
+                                                    source.mesh->mesh->vertices, target, options);
+        return new mien_mesh(std::make_shared<const TriMesh>(std::move(moved.scan)));
+    });
+}
+
+void MIEN_CALL mien_evaluate_options_init(mien_evaluate_options* options, size_t struct_size) {
+    write_defaults(options, struct_size, default_evaluate_options());
+}
+
+mien_status MIEN_CALL mien_evaluate_neutralization(mien_session* session,
+                                                   const mien_expression_model* model,
+                                                   const char* dataset_path,
+                                                   const mien_evaluate_options* options,
+                                                   mien_evaluation** out, mien_error* error) {
+    return guarded_create(out, error, [&] {
+        const mien_evaluate_options given =
+            read_options(options, default_evaluate_options(),
+                         MIEN_FIRST_SIZE(mien_evaluate_options, cancel), "options");
+        check_fit(given.method, "options.method");
+        check_fit(given.against_method, "options.against_method");
+        if (given.reserved != 0) fail(Status::unsupported_option, "options.reserved is not zero");
+        const Call call(session, given.progress, given.progress_user, given.cancel);
+        const ExpressionModel& data = *checked(model, "model").model;
+        EvaluationOptions common;
+        common.zone = read_vertices(given.zone_vertices, given.zone_count, "options.zone_vertices");
+        common.stable =
+            read_vertices(given.stable_vertices, given.stable_count, "options.stable_vertices");
+        const FaceDataset dataset =
+            FaceDataset::open(checked_text(dataset_path, "dataset_path"), {}, call.context());
+        const EvaluatedFaces baseline = evaluate_faces(call.context(), dataset, common, nullptr);
+        const EvaluatedFaces result = evaluate_model(
+            call.context(), dataset, data, evaluation_with(common, given.method, given.max_sweeps));
+        EvaluatedFaces other;
+        if (given.against != nullptr) {
+            // Progress is monotone within a call: the second model's share is not reported.
+            Context quiet = call.context();
+            quiet.progress_function = nullptr;
+            other = evaluate_model(
+                quiet, dataset, *checked(given.against, "options.against").model,
+                evaluation_with(common, given.against_method, given.against_max_sweeps));
+        }
+        return new mien_evaluation(
+            evaluation_json(dataset, baseline, result, given.against != nullptr ? &other : nullptr));
+    });
+}
+
+mien_status MIEN_CALL mien_evaluation_get_json(const mien_evaluation* evaluation, char* dst,
+                                               uint64_t capacity, uint64_t* count, mien_error* error) {
+    return guarded(error, [&] {
+        const std::string& json = checked(evaluation, "evaluation").json;
+        copy_text(json.data(), json.size(), dst, capacity, count);
+    });
+}
+
+void MIEN_CALL mien_evaluation_release(mien_evaluation* evaluation) { release(evaluation); }
 
 const mien_mesh* MIEN_CALL mien_neutralization_mesh(const mien_neutralization* neutralization) {
     return is_live(neutralization) ? neutralization->mesh : nullptr;

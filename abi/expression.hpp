@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "expression/expression_model.hpp"
 #include "expression/neutralize.hpp"
@@ -24,7 +25,23 @@ struct mien_neutralization : mien::abi::Object {
     static constexpr const char* kName = "neutralization";
     mien_neutralization() : Object(kTag) {}
     ~mien_neutralization() { mien::abi::release(mesh); }
+    std::shared_ptr<const mien::TriMesh> face;  // what was neutralized
     mien_mesh* mesh = nullptr;  // a reference of its own, so that a host may keep the mesh longer
     mien::NeutralizationResult result;
     std::string json;
+};
+
+struct mien_evaluation : mien::abi::Object {
+    static constexpr mien::abi::Tag kTag = mien::abi::Tag::evaluation;
+    static constexpr const char* kName = "evaluation";
+    explicit mien_evaluation(std::string report) : Object(kTag), json(std::move(report)) {}
+    std::string json;
+};
+
+struct mien_series : mien::abi::Object {
+    static constexpr mien::abi::Tag kTag = mien::abi::Tag::series;
+    static constexpr const char* kName = "series";
+    mien_series() : Object(kTag) {}
+    std::shared_ptr<const mien::TriMesh> identity;
+    std::vector<std::shared_ptr<const mien::TriMesh>> neutrals;
 };

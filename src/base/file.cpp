@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <limits>
@@ -229,6 +230,19 @@ FileBytes map_file(const std::string& path) {
     bytes.data = static_cast<const char*>(bytes.storage.get());
     bytes.size = file.size;
     return bytes;
+}
+
+void release_pages(const void* data, std::size_t size) {
+#if defined(_WIN32)
+    (void)data;
+    (void)size;
+#else
+    const std::uintptr_t page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
+    const std::uintptr_t begin = reinterpret_cast<std::uintptr_t>(data);
+    const std::uintptr_t first = (begin + page - 1) / page * page, last = (begin + size) / page * page;
+    // The mapping is read-only and backed by its file: dropping its pages loses nothing.
+    if (first < last) madvise(reinterpret_cast<void*>(first), last - first, MADV_DONTNEED);
+#endif
 }
 
 FileBytes read_whole_file(const std::string& path, const Context& context) {

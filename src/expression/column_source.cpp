@@ -5,13 +5,15 @@
 #include <map>
 
 #include "base/error.hpp"
+#include "geometry/alignment.hpp"
 
 namespace mien {
 namespace {
 
 class DatasetColumns final : public ColumnSource {
   public:
-    DatasetColumns(std::shared_ptr<const FaceDataset> dataset, const std::vector<int>& keep)
+    DatasetColumns(std::shared_ptr<const FaceDataset> dataset, const std::vector<int>& keep,
+                   const std::vector<std::uint32_t>& stable)
         : dataset_(std::move(dataset)) {
         const int neutral = dataset_->neutral_expression();
         if (neutral < 0)
@@ -53,6 +55,7 @@ class DatasetColumns final : public ColumnSource {
                  "training needs at least 2 subjects with a neutral face and one other expression; "
                  "there are %zu subjects and %zu usable faces",
                  neutral_faces_.size(), displacement_face_.size());
+        if (!stable.empty()) find_reference(stable);
     }
 
     void neutrals(Index begin, Eigen::Ref<Matrix> block) const override {
@@ -91,6 +94,10 @@ class DatasetColumns final : public ColumnSource {
     void read(Index face, Vector& out) const {
         Points points;
         dataset_->face(face, points);
+        dataset_->release_face(face);
+        if (reference_.rows() != 0)
+            points = align_points(stable_rows(points), reference_, Vector(), false)
+                         .apply(PointsRef(points));
         out = Eigen::Map<const Vector>(points.data(), points.size());
         if (!out.allFinite())
             fail_at(Status::corrupt, static_cast<std::int64_t>(face),
@@ -98,7 +105,38 @@ class DatasetColumns final : public ColumnSource {
                     static_cast<long long>(face));
     }
 
+    Points stable_rows(const Points& points) const {
+        Points rows(static_cast<Index>(stable_vertices.size()), 3);
+        for (std::size_t k = 0; k < stable_vertices.size(); ++k)
+            rows.row(static_cast<Index>(k)) = points.row(stable_vertices[k]);
+        return rows;
+    }
+
+    /// Mean stable zone of the neutral faces: aligned to the first, averaged, and once again.
+    void find_reference(const std::vector<std::uint32_t>& stable) {
+        for (std::size_t k = 0; k < stable.size(); ++k)
+            if (stable[k] >= static_cast<std::uint64_t>(num_vertices))
+                fail_at(Status::invalid_argument, static_cast<std::int64_t>(k),
+                        "the stable zone names vertex %u of %lld", stable[k],
+                        static_cast<long long>(num_vertices));
+        stable_vertices = stable;
+        Points points;
+        dataset_->face(neutral_faces_[0][0], points);
+        Points reference = stable_rows(points);
+        for (int round = 0; round < 2; ++round) {
+            Points sum = Points::Zero(reference.rows(), 3);
+            for (const std::vector<Index>& faces : neutral_faces_) {
+                dataset_->face(faces[0], points);
+                const Points rows = stable_rows(points);
+                sum += align_points(rows, reference, Vector(), false).apply(PointsRef(rows));
+            }
+            reference = sum / static_cast<double>(neutral_faces_.size());
+        }
+        reference_ = reference;
+    }
+
     std::shared_ptr<const FaceDataset> dataset_;
+    Points reference_;  ///< stable zone that faces are aligned to; empty: faces as they are
     std::vector<std::vector<Index>> neutral_faces_;
     std::vector<Index> displacement_face_;
     std::vector<std::size_t> displacement_neutral_;
@@ -108,8 +146,9 @@ class DatasetColumns final : public ColumnSource {
 }  // namespace
 
 std::unique_ptr<ColumnSource> dataset_columns(std::shared_ptr<const FaceDataset> dataset,
-                                              const std::vector<int>& keep_subject) {
-    return std::make_unique<DatasetColumns>(std::move(dataset), keep_subject);
+                                              const std::vector<int>& keep_subject,
+                                              const std::vector<std::uint32_t>& stable_vertices) {
+    return std::make_unique<DatasetColumns>(std::move(dataset), keep_subject, stable_vertices);
 }
 
 }  // namespace mien

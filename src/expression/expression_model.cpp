@@ -63,6 +63,10 @@ void finish_expression_model(ExpressionModel& model) {
         fail(Status::corrupt, "the parts of the expression model have different sizes");
     if (model.triangles.size() != 0 && model.triangles.maxCoeff() >= n)
         fail(Status::corrupt, "a triangle of the expression model names a vertex that is not there");
+    for (std::uint32_t vertex : model.stable_vertices)
+        if (vertex >= static_cast<std::uint64_t>(n))
+            fail(Status::corrupt, "the expression model's stable zone names vertex %u of %lld", vertex,
+                 static_cast<long long>(n));
     check_positive(model.identity_deviations, "identity deviation");
     check_positive(model.expression_deviations, "expression deviation");
     check_positive(Vector::Constant(1, model.map_noise_mm2), "map noise");
@@ -122,6 +126,11 @@ std::shared_ptr<const ExpressionModel> load_expression_model(const std::string& 
     const TensorView& gram = read_tensor(file, "gram", DType::f64, {p + q, p + q});
     model->gram = Eigen::Map<const Matrix>(static_cast<const double*>(gram.data), p + q, p + q);
 
+    if (file.has("stable_vertices")) {
+        const TensorView& view = read_tensor(file, "stable_vertices", DType::u32, {-1});
+        const auto* first = static_cast<const std::uint32_t*>(view.data);
+        model->stable_vertices.assign(first, first + view.count);
+    }
     const std::vector<std::string> names =
         parse_json_string_list(file.metadata("component_names"), "component_names");
     const Index count = static_cast<Index>(names.size());
@@ -174,8 +183,7 @@ void save_expression_model(const std::string& path, const ExpressionModel& model
     metadata["component_names"] = json_string_list(names);
     metadata["expression_names"] = json_string_list(model.expression_names);
     metadata["topology"] = topology_hash(model.num_vertices(), model.triangles);
-    write_safetensors(
-        path,
+    std::vector<TensorToWrite> tensors =
         {{"mean", DType::f64, {n, 3}, model.mean.data()},
          {"identity_deviations", DType::f64, {p}, model.identity_deviations.data()},
          {"expression_deviations", DType::f64, {q}, model.expression_deviations.data()},
@@ -187,8 +195,11 @@ void save_expression_model(const std::string& path, const ExpressionModel& model
          {"identity_modes", DType::f32, {p, n, 3}, model.identity_modes.data},
          {"expression_modes", DType::f32, {q, n, 3}, model.expression_modes.data},
          {"triangles", DType::u32, {static_cast<std::uint64_t>(model.triangles.rows()), 3},
-          model.triangles.data()}},
-        std::move(metadata), context);
+          model.triangles.data()}};
+    if (!model.stable_vertices.empty())
+        tensors.push_back({"stable_vertices", DType::u32, {model.stable_vertices.size()},
+                           model.stable_vertices.data()});
+    write_safetensors(path, tensors, std::move(metadata), context);
 }
 
 }  // namespace mien

@@ -48,6 +48,8 @@ struct ExpressionModel {
     /// Variance of one coordinate of what the modes do not explain, as the fits use it, mm^2. Larger
     /// than the plain residual, since that residual is smooth over the face (noise.hpp).
     double map_noise_mm2 = 30.0, mixture_noise_mm2 = 100.0;
+    /// Vertices that every face is rigidly aligned on before it is fitted (posture); may be empty.
+    std::vector<std::uint32_t> stable_vertices;
     std::vector<std::string> expression_names;  ///< of the training set
     std::map<std::string, std::string> info;    ///< method, lambda, subjects, faces, ...
     std::shared_ptr<const void> storage;        ///< keeps the modes alive

@@ -90,34 +90,41 @@ void add_modes(const Context& context, const ModesView& modes, const Vector& coo
                  });
 }
 
-FaceEvidence gather_evidence(const Context& context, const ExpressionModel& model,
-                             const PointsRef& vertices, const Vector& weights) {
-    const Index n = model.num_vertices(), p = model.num_identity_modes();
-    const Index q = model.num_expression_modes();
+void check_face(const ExpressionModel& model, const PointsRef& vertices, const Vector& weights) {
+    const Index n = model.num_vertices();
     if (vertices.rows() != n)
         fail(Status::mismatch, "the face has %lld vertices, the model %lld",
              static_cast<long long>(vertices.rows()), static_cast<long long>(n));
     if (weights.size() != 0 && weights.size() != n)
         fail(Status::mismatch, "%lld weights for %lld vertices",
              static_cast<long long>(weights.size()), static_cast<long long>(n));
-    Vector displacement(3 * n);
-    for (Index i = 0; i < n; ++i)
-        displacement.segment<3>(3 * i) = vertices.row(i) - model.mean.row(i);
-    if (weights.size() != 0)
-        for (Index i = 0; i < n; ++i) {
+    for (Index i = 0; i < n; ++i) {
+        if (weights.size() != 0) {
             if (!(weights[i] >= 0.0) || !std::isfinite(weights[i]))
                 fail_at(Status::invalid_argument, i,
                         "the weight of vertex %lld is negative or not finite",
                         static_cast<long long>(i));
-            // A vertex without data may hold anything, even what is not finite.
-            if (weights[i] == 0.0)
-                displacement.segment<3>(3 * i).setZero();
-            else
-                displacement.segment<3>(3 * i) *= weights[i];
+            if (weights[i] == 0.0) continue;
         }
-    if (!displacement.allFinite())
-        fail(Status::invalid_mesh, "the face holds a coordinate that is not finite");
+        if (!vertices.row(i).allFinite())
+            fail_at(Status::invalid_mesh, i, "vertex %lld of the face is not finite",
+                    static_cast<long long>(i));
+    }
+}
 
+FaceEvidence gather_evidence(const Context& context, const ExpressionModel& model,
+                             const PointsRef& vertices, const Vector& weights) {
+    const Index n = model.num_vertices(), p = model.num_identity_modes();
+    const Index q = model.num_expression_modes();
+    check_face(model, vertices, weights);
+    Vector displacement(3 * n);
+    for (Index i = 0; i < n; ++i) {
+        const double weight = weights.size() != 0 ? weights[i] : 1.0;
+        if (weight == 0.0)  // a vertex without data may hold anything, even what is not finite
+            displacement.segment<3>(3 * i).setZero();
+        else
+            displacement.segment<3>(3 * i) = weight * (vertices.row(i) - model.mean.row(i));
+    }
     FaceEvidence evidence;
     evidence.projection.resize(p + q);
     evidence.projection.head(p) = project_modes(context, model.identity_modes, displacement);

@@ -58,6 +58,11 @@ struct FitPlan {
     std::vector<Part> components;
 };
 
+/// Throws Status::mismatch, invalid_argument or invalid_mesh unless vertices and weights (or none)
+/// belong to the model; rows of weight zero may hold anything.
+void check_face(const ExpressionModel& model, const PointsRef& vertices,
+                const Vector& weights_per_vertex);
+
 /// Weights per vertex, >= 0, or empty for ones. O(#V (p+q)), and O(#V (p+q)^2) more with weights.
 FaceEvidence gather_evidence(const Context& context, const ExpressionModel& model,
                              const PointsRef& vertices, const Vector& weights_per_vertex);

@@ -1,7 +1,6 @@
 #include "expression/joint_pca.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 

@@ -20,7 +20,7 @@ struct JointPcaOptions {
     Index identity_modes = 50, expression_modes = 50;
     double lambda = 0.0;              ///< quasi-orthogonal; 0: lambda_factor x top eigenvalue of k XX'
     double lambda_factor = 10.0;
-    int max_iterations = 500;
+    int max_iterations = 1000;
     double angle_tolerance_rad = 1e-3;  ///< largest principal angle between consecutive subspaces
 };
 

@@ -11,8 +11,18 @@
 
 namespace mien {
 
+/// Where a face lies against the training faces. The numbers are the C ABI's numbers.
+enum class Pose : std::int32_t {
+    automatic = 0,  ///< aligned on the model's stable zone where it has one; else like `rigid` when the
+                    ///< face lies more than 3 degrees or 8 mm away from the mean face and a rigid motion
+                    ///< explains it clearly better, else like `keep`
+    keep = 1,       ///< in the training's frame
+    rigid = 2,      ///< anywhere: a rigid motion is fitted together with identity and expression
+};
+
 struct NeutralizeOptions {
     FitOptions fit;
+    Pose pose = Pose::automatic;
     bool uncertainty = false;  ///< compute the deviation per vertex
 };
 
@@ -24,12 +34,13 @@ struct NeutralizationResult {
     /// vertex, mm; empty unless asked for, or for fits without a prior.
     Vector uncertainty_mm;
     double mean_displacement_mm = 0, max_displacement_mm = 0;
+    Similarity pose;                  ///< training frame -> frame of the face
     double residual_rms_mm = 0;       ///< distance of the face from the fitted model per vertex
     int sweeps = 0;
     bool converged = true;
 };
 
-/// `vertices` in the model's topology and frame. Weights per vertex (>= 0; zero: no data there) or
+/// `vertices` in the model's topology. The result lies in the frame of the input. Weights per vertex (>= 0; zero: no data there) or
 /// empty. A vertex of weight zero still moves with the model. Throws Status::mismatch,
 /// invalid_mesh, invalid_argument, no_solution. O(#V (p+q)).
 NeutralizationResult neutralize(const Context& context, const ExpressionModel& model,

@@ -1,5 +1,6 @@
 #include "expression/prior.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -112,16 +113,33 @@ NoiseLevels estimate_noise(const Context& context, const ColumnSource& source,
     const Index num_folds = std::min<Index>(4, m);
     if (m < 4) return levels;  // too few to leave some out: the defaults
 
-    std::map<int, Index> column_of;
+    // Folds go by the sorted subject ids, so that the order of the columns (shards) does not matter.
+    std::map<int, Index> column_of, rank_of;
     for (Index k = 0; k < m; ++k) column_of[source.neutral_subject[static_cast<std::size_t>(k)]] = k;
+    for (const auto& [subject, column] : column_of) {
+        const Index rank = static_cast<Index>(rank_of.size());
+        rank_of[subject] = rank;
+    }
+    auto subject_rank = [&](Index face) {
+        return rank_of.at(source.displacement_subject[static_cast<std::size_t>(face)]);
+    };
+    std::vector<Index> faces_by_subject(static_cast<std::size_t>(s));
+    for (Index k = 0; k < s; ++k) faces_by_subject[static_cast<std::size_t>(k)] = k;
+    std::stable_sort(faces_by_subject.begin(), faces_by_subject.end(),
+                     [&](Index a, Index b) { return subject_rank(a) < subject_rank(b); });
     const Matrix expression_coordinates = expression_modes.transpose() * span.displacements;
 
     std::vector<Fold> folds(static_cast<std::size_t>(num_folds));
     for (Index f = 0; f < num_folds; ++f) {
         Fold& fold = folds[static_cast<std::size_t>(f)];
-        std::vector<Index> kept;
-        for (Index k = 0; k < m; ++k)
-            if (k % num_folds != f) kept.push_back(k);
+        std::vector<Index> kept, tested_subjects;
+        for (const auto& [subject, column] : column_of) {
+            const Index rank = rank_of.at(subject);
+            if (rank % num_folds != f)
+                kept.push_back(column);
+            else if (rank / num_folds < kMaxFoldSubjects)
+                tested_subjects.push_back(column);
+        }
         Matrix training(span.neutrals.rows(), static_cast<Index>(kept.size()));
         for (std::size_t k = 0; k < kept.size(); ++k)
             training.col(static_cast<Index>(k)) = span.neutrals.col(kept[k]);
@@ -133,12 +151,10 @@ NoiseLevels estimate_noise(const Context& context, const ColumnSource& source,
         values /= static_cast<double>(std::max<Index>(1, training.cols() - 1));
 
         std::vector<Index> kept_faces, tested_faces;
-        for (Index k = 0; k < s; ++k) {
-            const Index subject =
-                column_of.at(source.displacement_subject[static_cast<std::size_t>(k)]);
-            if (subject % num_folds != f)
+        for (Index k : faces_by_subject) {
+            if (subject_rank(k) % num_folds != f)
                 kept_faces.push_back(k);
-            else if (subject / num_folds < kMaxFoldSubjects &&
+            else if (subject_rank(k) / num_folds < kMaxFoldSubjects &&
                      static_cast<Index>(tested_faces.size()) < kMaxFoldFaces)
                 tested_faces.push_back(k);
         }
@@ -160,9 +176,6 @@ NoiseLevels estimate_noise(const Context& context, const ColumnSource& source,
         fold.modes.resize(identity.rows(), identity.cols() + expression_modes.cols());
         fold.modes << identity, expression_modes;
 
-        std::vector<Index> tested_subjects;
-        for (Index k = f; k < m && k / num_folds < kMaxFoldSubjects; k += num_folds)
-            tested_subjects.push_back(k);
         const Index count = static_cast<Index>(tested_faces.size() + tested_subjects.size());
         fold.faces.resize(span.neutrals.rows(), count);
         fold.truths = Matrix::Zero(span.neutrals.rows(), count);

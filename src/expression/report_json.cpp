@@ -1,5 +1,6 @@
 #include "expression/report_json.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -87,7 +88,73 @@ void add_model(JsonObject& json, const ExpressionModel& model) {
     json.raw("info", info.text());
 }
 
+std::string errors_json(const ErrorSummary& summary) {
+    JsonObject json;
+    json.number("mean_mm", summary.mean_mm)
+        .number("sd_mm", summary.deviation_mm)
+        .number("max_vertex_mm", summary.max_vertex_mm);
+    return json.text();
+}
+
+/// Mean errors of one expression, or of all but the neutral faces (expression < 0).
+std::vector<double> errors_of(const EvaluatedFaces& faces, int expression, int neutral) {
+    std::vector<double> values;
+    for (std::size_t k = 0; k < faces.face.size(); ++k)
+        if (expression >= 0 ? faces.expression[k] == expression : faces.expression[k] != neutral)
+            values.push_back(faces.mean_mm[k]);
+    return values;
+}
+
+std::string effect_json(const std::vector<double>& first, const std::vector<double>& second) {
+    const Effect effect = effect_size(first, second);
+    JsonObject json;
+    json.number("cohens_d", effect.cohens_d).number("superiority", effect.superiority);
+    return json.text();
+}
+
 }  // namespace
+
+std::string evaluation_json(const FaceDataset& dataset, const EvaluatedFaces& baseline,
+                            const EvaluatedFaces& result, const EvaluatedFaces* against) {
+    const std::vector<std::string>& names = dataset.expression_names();
+    const int neutral = dataset.neutral_expression();
+    auto row = [&](const std::string& name, int expression, const ErrorSummary& untouched,
+                   const ErrorSummary& own, const ErrorSummary* other) {
+        JsonObject json;
+        json.string("expression", name)
+            .integer("faces", own.count)
+            .raw("baseline", errors_json(untouched))
+            .raw("result", errors_json(own))
+            .raw("effect_over_baseline", effect_json(errors_of(baseline, expression, neutral),
+                                                     errors_of(result, expression, neutral)));
+        if (other != nullptr)
+            json.raw("against", errors_json(*other))
+                .raw("effect_over_against", effect_json(errors_of(*against, expression, neutral),
+                                                        errors_of(result, expression, neutral)));
+        return json.text();
+    };
+    const std::vector<ErrorSummary> untouched = summarize(baseline, names);
+    const std::vector<ErrorSummary> own = summarize(result, names);
+    const std::vector<ErrorSummary> other =
+        against != nullptr ? summarize(*against, names) : std::vector<ErrorSummary>();
+    std::string rows = "[";
+    for (std::size_t k = 0; k < own.size(); ++k) {
+        const int expression = static_cast<int>(
+            std::find(names.begin(), names.end(), own[k].name) - names.begin());
+        if (k != 0) rows += ", ";
+        rows += row(own[k].name, expression, untouched[k], own[k],
+                    against != nullptr ? &other[k] : nullptr);
+    }
+    rows += "]";
+    const ErrorSummary all_untouched = summarize_moved(baseline, neutral);
+    const ErrorSummary all_own = summarize_moved(result, neutral);
+    const ErrorSummary all_other =
+        against != nullptr ? summarize_moved(*against, neutral) : ErrorSummary();
+    JsonObject json;
+    json.raw("expressions", rows)
+        .raw("all", row("all", -1, all_untouched, all_own, against != nullptr ? &all_other : nullptr));
+    return json.text();
+}
 
 std::string model_json(const ExpressionModel& model) {
     JsonObject json;

@@ -21,6 +21,15 @@ struct ModesStorage {
     Eigen::MatrixXf identity, expression;
 };
 
+/// Decides the sign of a mode by the mode alone, whatever basis it was found in: its product with a
+/// fixed irregular pattern, which no mode is orthogonal to by its symmetry.
+double side_of(const Eigen::Ref<const Vector>& mode) {
+    double sum = 0.0;
+    for (Index row = 0; row < mode.size(); ++row)
+        sum += mode[row] * std::sin(0.7 + 12.9898 * static_cast<double>(row % 1009));
+    return sum;
+}
+
 Vector root_mean_square_rows(const Matrix& coordinates, double count) {
     const Vector values = (coordinates.rowwise().squaredNorm() / count).cwiseSqrt();
     // A direction without variance would make the prior singular.
@@ -42,8 +51,7 @@ std::shared_ptr<const ExpressionModel> train_expression_model(const ColumnSource
     if (span_options.expression_rank == 0)
         span_options.expression_rank = default_rank(options.subspaces.expression_modes);
     const JointSpan span = find_joint_span(context, source, span_options);
-    const JointPca subspaces =
-        joint_pca(context, span.neutrals, span.displacements, options.subspaces);
+    JointPca subspaces = joint_pca(context, span.neutrals, span.displacements, options.subspaces);
     const Index p = subspaces.identity.cols(), q = subspaces.expression.cols();
     const double m = static_cast<double>(source.num_neutrals());
     const double s = static_cast<double>(source.num_displacements());
@@ -52,10 +60,15 @@ std::shared_ptr<const ExpressionModel> train_expression_model(const ColumnSource
     model->mean = Eigen::Map<const Points>(span.mean.data(), source.num_vertices, 3);
     model->triangles = source.triangles;
     auto storage = std::make_shared<ModesStorage>();
-    auto lift = [&](const Matrix& coordinates, Eigen::MatrixXf& out) {
+    auto lift = [&](Matrix& coordinates, Eigen::MatrixXf& out) {
         Matrix modes(span.basis.rows(), coordinates.cols());
         dense::multiply(context, 1.0, span.basis, dense::Op::none, coordinates, dense::Op::none, 0.0,
                         modes);
+        for (Index k = 0; k < modes.cols(); ++k)
+            if (side_of(modes.col(k)) < 0.0) {
+                modes.col(k) *= -1.0;
+                coordinates.col(k) *= -1.0;
+            }
         out = modes.cast<float>();
         return ModesView{out.data(), out.rows(), out.cols()};
     };
@@ -74,6 +87,7 @@ std::shared_ptr<const ExpressionModel> train_expression_model(const ColumnSource
         expression_components(expression_coordinates, source.displacement_expression,
                               source.expression_names, model->expression_deviations, options.prior);
     model->expression_names = source.expression_names;
+    model->stable_vertices = source.stable_vertices;
 
     NoiseLevels noise;
     if (options.map_noise_mm2 <= 0.0 || options.mixture_noise_mm2 <= 0.0)
@@ -118,7 +132,7 @@ std::shared_ptr<const ExpressionModel> train_expression_model(const ColumnSource
 std::shared_ptr<const ExpressionModel> train_expression_model(
     std::shared_ptr<const FaceDataset> dataset, const TrainOptions& options, const Context& context,
     TrainReport* report) {
-    return train_expression_model(*dataset_columns(std::move(dataset), {}), options, context,
+    return train_expression_model(*dataset_columns(std::move(dataset), {}, options.stable_vertices), options, context,
                                   report);
 }
 

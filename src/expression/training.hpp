@@ -17,6 +17,9 @@ struct TrainOptions {
     JointPcaOptions subspaces;
     JointSpanOptions span;     ///< ranks of 0: max(3 modes, modes + 60)
     PriorOptions prior;
+    /// Posture: faces are aligned rigidly on these vertices (forehead, nose bridge), in training and by
+    /// every fit of the model; empty: faces are taken as they lie.
+    std::vector<std::uint32_t> stable_vertices;
     double map_noise_mm2 = 0.0, mixture_noise_mm2 = 0.0;  ///< 0: by cross-validation
     TrainOptions() { span.identity_rank = span.expression_rank = 0; }
 };

@@ -33,8 +33,12 @@ int neutral_of(const std::vector<std::string>& names) {
 
 FaceDataset FaceDataset::open(const std::string& path, const SafetensorsReadOptions& options,
                               const Context& context) {
-    const SafetensorsFile file = SafetensorsFile::open(path, options, context);
+    const FileBytes bytes = map_file(path);
     try {
+        const SafetensorsFile file =
+            SafetensorsFile::from_memory(bytes.data, bytes.size, options, context);
+        // Other programs' datasets do not say what they are; ours, and our other files, do.
+        if (file.metadata().count("kind") != 0) file.require_kind("mien-face-dataset", 1);
         FaceDataset set;
         const DType dtype =
             file.has("vertices") && file.tensors().at("vertices").dtype == DType::f64 ? DType::f64
@@ -79,9 +83,13 @@ FaceDataset FaceDataset::open(const std::string& path, const SafetensorsReadOpti
         const auto units = file.metadata().find("units");
         set.units_ = units == file.metadata().end() ? "millimetres" : units->second;
         set.to_mm_ = millimetres_per(set.units_);
-        set.storage_ = file.storage();
+        const auto* vertices = static_cast<const char*>(set.vertices_.data);
+        set.mapped_ = vertices >= bytes.data && vertices < bytes.data + bytes.size;
+        set.storage_ = std::make_shared<std::vector<std::shared_ptr<const void>>>(
+            std::vector<std::shared_ptr<const void>>{bytes.storage, file.storage()});
         return set;
     } catch (const Error& error) {
+        if (error.status() == Status::cancelled || error.status() == Status::memory_budget) throw;
         fail_at(error.status(), error.detail_index(), "'%s': %s", shown_path(path).c_str(),
                 error.what());
     }
@@ -103,6 +111,14 @@ void FaceDataset::face(Index k, Points& out) const {
                   .cast<double>();
     }
     if (to_mm_ != 1.0) out *= to_mm_;
+}
+
+void FaceDataset::release_face(Index k) const {
+    if (!mapped_ || k < 0 || k >= num_faces_) return;
+    const std::size_t bytes =
+        3 * static_cast<std::size_t>(num_vertices_) * dtype_bytes(vertices_.dtype);
+    release_pages(static_cast<const char*>(vertices_.data) + static_cast<std::size_t>(k) * bytes,
+                  bytes);
 }
 
 FaceDatasetWriter::FaceDatasetWriter(Triangles triangles, Index num_vertices,

@@ -30,6 +30,9 @@ class FaceDataset {
 
     /// Copies face k, #V x 3, into `out` (resized), scaled to millimetres.
     void face(Index k, Points& out) const;
+    /// Lets go of the memory that face k's part of the mapped file takes: for passes over sets that are
+    /// larger than memory. The face can be read again at any time.
+    void release_face(Index k) const;
     /// Raw access for streaming training: f32 or f64 row-major [s, n, 3].
     const TensorView& vertices() const { return vertices_; }
 
@@ -42,6 +45,7 @@ class FaceDataset {
     int neutral_ = -1;
     double to_mm_ = 1.0;
     Index num_faces_ = 0, num_vertices_ = 0;
+    bool mapped_ = false;  ///< vertices_ lies in the file's mapping, not in a copy
     std::shared_ptr<const void> storage_;
 };
 

@@ -3,6 +3,7 @@
 #define MIEN_DETAIL_EXPRESSION_HPP
 
 #include "core.hpp"
+#include "registration.hpp"
 
 namespace mien {
 
@@ -20,6 +21,11 @@ struct NeutralizeOptions : mien_neutralize_options {
     }
 };
 
+/// mien_evaluate_options with its defaults.
+struct EvaluateOptions : mien_evaluate_options {
+    EvaluateOptions() { mien_evaluate_options_init(this, sizeof(mien_evaluate_options)); }
+};
+
 /// A trained model of identities and expressions; copies share it.
 class ExpressionModel {
   public:
@@ -29,6 +35,31 @@ class ExpressionModel {
         bridge.install(options);
         mien_expression_model* model = nullptr;
         bridge.call(mien_expression_model_train, session.get(), dataset_path.c_str(), &options, &model);
+        return ExpressionModel(model);
+    }
+    /// Writes what part `part` of `part_count` of a dataset contributes to training.
+    static void write_shard(const Session& session, const std::string& dataset_path, int part,
+                            int part_count, const std::string& shard_path, int max_rank = 512,
+                            const Progress& progress = {}) {
+        mien_shard_options options;
+        mien_shard_options_init(&options, sizeof options);
+        options.part = part;
+        options.part_count = part_count;
+        options.max_rank = max_rank;
+        detail::ProgressBridge bridge(progress);
+        bridge.install(options);
+        bridge.call(mien_expression_shard_create, session.get(), dataset_path.c_str(), &options,
+                    shard_path.c_str());
+    }
+    static ExpressionModel merge(const Session& session, const std::vector<std::string>& shard_paths,
+                                 TrainOptions options = {}, const Progress& progress = {}) {
+        std::vector<const char*> paths;
+        for (const std::string& path : shard_paths) paths.push_back(path.c_str());
+        detail::ProgressBridge bridge(progress);
+        bridge.install(options);
+        mien_expression_model* model = nullptr;
+        bridge.call(mien_expression_model_merge, session.get(), paths.data(),
+                    static_cast<std::uint32_t>(paths.size()), &options, &model);
         return ExpressionModel(model);
     }
     ExpressionModel(const Session& session, const std::string& path) {
@@ -70,11 +101,63 @@ class ExpressionModel {
         return Mesh(mesh);
     }
 
+    /// A random face; `expression` is a name, or null for neutral.
+    Mesh sample(const Session& session, std::uint64_t seed, const char* expression = nullptr) const {
+        mien_mesh* mesh = nullptr;
+        detail::call(mien_expression_model_sample, session.get(), get(), seed, expression, &mesh);
+        return Mesh(mesh);
+    }
+    /// Table of neutralization errors over a dataset, as JSON text.
+    std::string evaluate(const Session& session, const std::string& dataset_path,
+                         EvaluateOptions options = {}, const Progress& progress = {}) const {
+        detail::ProgressBridge bridge(progress);
+        bridge.install(options);
+        mien_evaluation* evaluation = nullptr;
+        bridge.call(mien_evaluate_neutralization, session.get(), get(), dataset_path.c_str(), &options,
+                    &evaluation);
+        const detail::Handle<mien_evaluation, mien_evaluation_release> owner(evaluation);
+        return detail::read_text(mien_evaluation_get_json, evaluation);
+    }
+
     mien_expression_model* get() const noexcept { return handle_.get(); }
 
   private:
     void adopt(mien_expression_model* owned) { handle_.reset(owned, mien_expression_model_release); }
     std::shared_ptr<mien_expression_model> handle_;
+};
+
+/// mien_series_options with its defaults.
+struct SeriesOptions : mien_series_options {
+    SeriesOptions() { mien_series_options_init(this, sizeof(mien_series_options)); }
+};
+
+/// Several scans of one person, neutralized together.
+class Series {
+  public:
+    Series(const Session& session, const ExpressionModel& model, const std::vector<Mesh>& faces,
+           SeriesOptions options = {}, const Progress& progress = {}) {
+        std::vector<const mien_mesh*> handles;
+        for (const Mesh& face : faces) handles.push_back(face.get());
+        detail::ProgressBridge bridge(progress);
+        bridge.install(options);
+        mien_series* series = nullptr;
+        bridge.call(mien_neutralize_series, session.get(), model.get(), handles.data(),
+                    static_cast<std::uint32_t>(handles.size()), &options, &series);
+        handle_.reset(series);
+    }
+    /// The person's shared neutral face, in the training's frame.
+    Mesh identity() const { return at(-1); }
+    /// The neutral face of one scan, in its frame.
+    Mesh neutral(std::int32_t index) const { return at(index); }
+    mien_series* get() const noexcept { return handle_.get(); }
+
+  private:
+    Mesh at(std::int32_t index) const {
+        mien_mesh* mesh = nullptr;
+        detail::call(mien_series_get_mesh, get(), index, &mesh);
+        return Mesh(mesh);
+    }
+    detail::Handle<mien_series, mien_series_release> handle_;
 };
 
 /// A neutralized face.
@@ -87,10 +170,30 @@ class Neutralization {
         mien_neutralization* neutralization = nullptr;
         bridge.call(mien_neutralize_mesh, session.get(), model.get(), face.get(), &options,
                     &neutralization);
-        handle_.reset(neutralization);
-        identity_.resize(model.identity_modes());
-        expression_.resize(model.expression_modes());
-        detail::call(mien_neutralization_get_coordinates, get(), identity_.data(), expression_.data());
+        adopt(model, neutralization);
+    }
+    Neutralization(const Session& session, const ExpressionModel& model, const Registration& fitted,
+                   NeutralizeOptions options = {}, const Progress& progress = {}) {
+        detail::ProgressBridge bridge(progress);
+        bridge.install(options);
+        mien_neutralization* neutralization = nullptr;
+        bridge.call(mien_neutralize, session.get(), model.get(), fitted.get(), &options, &neutralization);
+        adopt(model, neutralization);
+    }
+    /// The scan that the face was fitted to, its own vertices moved; 0: the default distance.
+    Mesh apply_to_scan(const Session& session, const Mesh& scan, double max_distance_mm = 0) const {
+        mien_mesh* mesh = nullptr;
+        detail::call(mien_neutralization_apply_to_scan, session.get(), get(), scan.get(), max_distance_mm,
+                     &mesh);
+        return Mesh(mesh);
+    }
+    /// This face's expression on the target's neutral face.
+    Mesh transfer_to(const Session& session, const ExpressionModel& model,
+                     const Neutralization& target) const {
+        mien_mesh* mesh = nullptr;
+        detail::call(mien_expression_model_transfer, session.get(), model.get(), get(), target.get(),
+                     &mesh);
+        return Mesh(mesh);
     }
     Mesh mesh() const { return Mesh::share(mien_neutralization_mesh(get())); }
     const std::vector<double>& identity() const noexcept { return identity_; }
@@ -107,6 +210,13 @@ class Neutralization {
     mien_neutralization* get() const noexcept { return handle_.get(); }
 
   private:
+    void adopt(const ExpressionModel& model, mien_neutralization* neutralization) {
+        handle_.reset(neutralization);
+        identity_.resize(model.identity_modes());
+        expression_.resize(model.expression_modes());
+        detail::call(mien_neutralization_get_coordinates, get(), identity_.data(), expression_.data());
+    }
+
     detail::Handle<mien_neutralization, mien_neutralization_release> handle_;
     std::vector<double> identity_, expression_;
 };

@@ -1,0 +1,149 @@
+// Shards and series: expression models over more than one machine, more than one scan.
+#include "arrays.hpp"
+#include "expression.hpp"
+#include "expression/series.hpp"
+#include "expression/shards.hpp"
+#include "expression_options.hpp"
+#include "expression/report_json.hpp"
+#include "guard.hpp"
+#include "options.hpp"
+#include "session.hpp"
+
+using namespace mien;
+using namespace mien::abi;
+
+namespace {
+
+mien_shard_options default_shard_options() {
+    mien_shard_options options{};
+    options.part_count = 1;
+    options.max_rank = static_cast<std::int32_t>(ShardOptions().max_rank);
+    return options;
+}
+
+mien_series_options default_series_options() {
+    const SeriesOptions core;
+    mien_series_options options{};
+    options.method = MIEN_FIT_MIXTURE;
+    options.scan_noise_share = core.scan_noise_share;
+    options.expected_change_mm = core.expected_change_mm;
+    return options;
+}
+
+SeriesOptions read_series_options(const mien_series_options& given) {
+    check_fit(given.method, "options.method");
+    check_pose(given.pose);
+    if (given.reserved != 0) fail(Status::unsupported_option, "options.reserved is not zero");
+    SeriesOptions options;
+    options.method = static_cast<FitMethod>(given.method);
+    options.pose = static_cast<Pose>(given.pose);
+    options.scan_noise_share = given.scan_noise_share;
+    options.noise_mm2 = given.noise_mm2;
+    options.changing_zone =
+        read_vertices(given.changing_vertices, given.changing_count, "options.changing_vertices");
+    options.expected_change_mm = given.expected_change_mm;
+    return options;
+}
+
+std::shared_ptr<const TriMesh> with_vertices(const TriMesh& mesh, const Points& vertices) {
+    auto copy = std::make_shared<TriMesh>(mesh);
+    copy->vertices = vertices;
+    return copy;
+}
+
+}  // namespace
+
+extern "C" {
+
+void MIEN_CALL mien_shard_options_init(mien_shard_options* options, size_t struct_size) {
+    write_defaults(options, struct_size, default_shard_options());
+}
+
+void MIEN_CALL mien_series_options_init(mien_series_options* options, size_t struct_size) {
+    write_defaults(options, struct_size, default_series_options());
+}
+
+mien_status MIEN_CALL mien_expression_shard_create(mien_session* session, const char* dataset_path,
+                                                   const mien_shard_options* options,
+                                                   const char* shard_path, mien_error* error) {
+    return guarded(error, [&] {
+        const mien_shard_options given = read_options(
+            options, default_shard_options(), MIEN_FIRST_SIZE(mien_shard_options, cancel), "options");
+        const Call call(session, given.progress, given.progress_user, given.cancel);
+        const char* target = checked_text(shard_path, "shard_path");
+        auto dataset = std::make_shared<FaceDataset>(FaceDataset::open(
+            checked_text(dataset_path, "dataset_path"), unverified(), call.context()));
+        const std::vector<int> subjects = subjects_of_part(*dataset, given.part, given.part_count);
+        ShardOptions settings;
+        settings.max_rank = given.max_rank;
+        write_expression_shard(target, *dataset_columns(std::move(dataset), subjects), settings,
+                               call.context());
+    });
+}
+
+mien_status MIEN_CALL mien_expression_model_merge(mien_session* session, const char* const* shard_paths,
+                                                  uint32_t shard_count,
+                                                  const mien_train_options* options,
+                                                  mien_expression_model** out, mien_error* error) {
+    return guarded_create(out, error, [&] {
+        const mien_train_options given = given_train_options(options);
+        const TrainOptions settings = read_train_options(given);
+        if (!settings.stable_vertices.empty())
+            fail(Status::invalid_argument,
+                 "shards hold faces as they lie: align a study before it is cut into parts");
+        const Call call(session, given.progress, given.progress_user, given.cancel);
+        if (shard_paths == nullptr || shard_count == 0 || shard_count > 1000000)
+            fail(Status::invalid_argument, "shard_paths is null, or shard_count is not 1 to 1000000");
+        std::vector<std::string> paths;
+        for (uint32_t k = 0; k < shard_count; ++k)
+            paths.emplace_back(checked_text(shard_paths[k], "a shard's path"));
+        const auto source = shard_columns(paths, {}, call.context());
+        TrainReport report;
+        auto model = train_expression_model(*source, settings, call.context(), &report);
+        std::string json = training_json(*model, report);
+        return new mien_expression_model(std::move(model), std::move(json));
+    });
+}
+
+mien_status MIEN_CALL mien_neutralize_series(mien_session* session, const mien_expression_model* model,
+                                             const mien_mesh* const* faces, uint32_t face_count,
+                                             const mien_series_options* options, mien_series** out,
+                                             mien_error* error) {
+    return guarded_create(out, error, [&] {
+        const mien_series_options given =
+            read_options(options, default_series_options(),
+                         MIEN_FIRST_SIZE(mien_series_options, cancel), "options");
+        const SeriesOptions settings = read_series_options(given);
+        const Call call(session, given.progress, given.progress_user, given.cancel);
+        const ExpressionModel& data = *checked(model, "model").model;
+        if (faces == nullptr || face_count == 0 || face_count > 1000)
+            fail(Status::invalid_argument, "faces is null, or face_count is not 1 to 1000");
+        std::vector<SeriesScan> scans;
+        for (uint32_t k = 0; k < face_count; ++k) {
+            const TriMesh& mesh = *checked(faces[k], "a face").mesh;
+            check_topology(data, mesh.vertices.rows(), mesh.triangles);
+            scans.push_back({mesh.vertices, Vector()});
+        }
+        const SeriesResult result = neutralize_series(call.context(), data, scans, settings);
+        auto series = std::make_unique<mien_series>();
+        series->identity = with_vertices(*faces[0]->mesh, result.identity_vertices);
+        for (uint32_t k = 0; k < face_count; ++k)
+            series->neutrals.push_back(with_vertices(*faces[k]->mesh, result.neutral_vertices[k]));
+        return series.release();
+    });
+}
+
+mien_status MIEN_CALL mien_series_get_mesh(const mien_series* series, int32_t index, mien_mesh** out,
+                                           mien_error* error) {
+    return guarded_create(out, error, [&] {
+        const mien_series& data = checked(series, "series");
+        if (index < -1 || index >= static_cast<std::int32_t>(data.neutrals.size()))
+            fail(Status::not_found, "face %d of a series of %zu", index, data.neutrals.size());
+        return new mien_mesh(index == -1 ? data.identity
+                                         : data.neutrals[static_cast<std::size_t>(index)]);
+    });
+}
+
+void MIEN_CALL mien_series_release(mien_series* series) { release(series); }
+
+}  // extern "C"

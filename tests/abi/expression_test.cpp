@@ -1,0 +1,206 @@
+#include <mien/mien.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "handles.hpp"
+
+namespace {
+
+using mien_test::fresh_error;
+
+/// A sheet of side x side vertices whose middle bulges with the subject and whose edge lifts with the
+/// expression.
+struct Sheet {
+    static constexpr int kSide = 12, kSubjects = 12;
+    std::vector<mien::Triangle> triangles;
+
+    Sheet() {
+        for (int y = 0; y + 1 < kSide; ++y)
+            for (int x = 0; x + 1 < kSide; ++x) {
+                const auto a = static_cast<std::uint32_t>(y * kSide + x);
+                triangles.push_back({a, a + 1, a + kSide});
+                triangles.push_back({a + 1, a + kSide + 1, a + kSide});
+            }
+    }
+    std::vector<mien::Position> face(int subject, int expression) const {
+        std::vector<mien::Position> positions;
+        for (int y = 0; y < kSide; ++y)
+            for (int x = 0; x < kSide; ++x) {
+                double z = 0, lift = 0;
+                for (int k = 1; k < 6; ++k)
+                    z += 3 * std::sin(7.3 * subject + k) * std::sin(0.25 * k * x + 0.1 * k * k * y);
+                if (expression == 1) lift = (5 + std::sin(3.1 * subject)) * std::exp(-0.3 * y);
+                if (expression == 2) lift = -(4 + std::cos(5.7 * subject)) * std::exp(-0.4 * (kSide - y));
+                positions.push_back({10.0 * x, 10.0 * y + lift, z});
+            }
+        return positions;
+    }
+    std::string write_dataset(const mien::Session& session) const {
+        const mien::Mesh topology(session, face(0, 0), triangles);
+        const char* names[] = {"neutral", "up", "down"};
+        mien_dataset_writer* writer = nullptr;
+        EXPECT_EQ(MIEN_OK,
+                  mien_dataset_writer_create(session.get(), topology.get(), names, 3, &writer, nullptr));
+        for (int s = 0; s < kSubjects; ++s)
+            for (int e = 0; e < 3; ++e) {
+                const auto positions = face(s, e);
+                const mien_array_view view{positions.data(), positions.size(), sizeof(mien::Position),
+                                           MIEN_DTYPE_F64, 0};
+                EXPECT_EQ(MIEN_OK, mien_dataset_writer_add(writer, &view, s, e, nullptr));
+            }
+        const std::string path = testing::TempDir() + "mien_abi_expression.safetensors";
+        EXPECT_EQ(MIEN_OK, mien_dataset_writer_save(session.get(), writer, path.c_str(), nullptr));
+        mien_dataset_writer_release(writer);
+        return path;
+    }
+};
+
+class Expression : public testing::Test {
+  protected:
+    static void SetUpTestSuite() {
+        session_ = new mien::Session(2);
+        data_ = new std::string(sheet().write_dataset(*session_));
+        mien::TrainOptions options;
+        options.identity_modes = options.expression_modes = 5;
+        model_ = new mien::ExpressionModel(mien::ExpressionModel::train(*session_, *data_, options));
+    }
+    static void TearDownTestSuite() {
+        std::remove(data_->c_str());
+        delete model_;
+        delete data_;
+        delete session_;
+    }
+    static const Sheet& sheet() {
+        static const Sheet made;
+        return made;
+    }
+    static mien::Mesh face(int subject, int expression) {
+        return mien::Mesh(*session_, sheet().face(subject, expression), sheet().triangles);
+    }
+    static double distance(const std::vector<mien::Position>& a, const std::vector<mien::Position>& b) {
+        double sum = 0;
+        for (std::size_t i = 0; i < a.size(); ++i)
+            sum += std::hypot(a[i][0] - b[i][0], a[i][1] - b[i][1], a[i][2] - b[i][2]);
+        return sum / static_cast<double>(a.size());
+    }
+    static inline mien::Session* session_;
+    static inline std::string* data_;
+    static inline mien::ExpressionModel* model_;
+};
+
+TEST_F(Expression, NeutralizesAFaceTowardsItsNeutral) {
+    mien::NeutralizeOptions options;
+    options.uncertainty = 1;
+    const mien::Neutralization result(*session_, *model_, face(20, 1), options);
+    const auto truth = sheet().face(20, 0), before = sheet().face(20, 1);
+    EXPECT_LT(distance(result.mesh().positions(), truth), 0.4 * distance(before, truth));
+    EXPECT_EQ(result.uncertainty().size(), truth.size());
+    EXPECT_NE(result.json().find("\"expression\": \"up\""), std::string::npos);
+    EXPECT_EQ(result.mesh().triangles(), sheet().triangles);
+}
+
+TEST_F(Expression, AModelFileGivesTheSameBits) {
+    const std::string path = testing::TempDir() + "mien_abi_expression_model.safetensors";
+    model_->save(*session_, path);
+    const mien::ExpressionModel loaded(*session_, path);
+    EXPECT_EQ(mien::Neutralization(*session_, *model_, face(21, 2)).mesh().positions(),
+              mien::Neutralization(*session_, loaded, face(21, 2)).mesh().positions());
+    EXPECT_EQ(loaded.identity_modes(), 5u);
+    std::remove(path.c_str());
+}
+
+TEST_F(Expression, ShardsMergeIntoTheModelOfASingleRun) {
+    std::vector<std::string> shards;
+    for (int part = 0; part < 2; ++part) {
+        shards.push_back(testing::TempDir() + "mien_abi_shard" + std::to_string(part) + ".safetensors");
+        mien::ExpressionModel::write_shard(*session_, *data_, part, 2, shards.back());
+    }
+    mien::TrainOptions options;
+    options.identity_modes = options.expression_modes = 5;
+    const auto merged = mien::ExpressionModel::merge(*session_, shards, options);
+    EXPECT_LT(distance(mien::Neutralization(*session_, *model_, face(22, 1)).mesh().positions(),
+                       mien::Neutralization(*session_, merged, face(22, 1)).mesh().positions()),
+              1e-6);
+    for (const std::string& path : shards) std::remove(path.c_str());
+}
+
+TEST_F(Expression, SeriesScanAndTransferWork) {
+    const std::vector<mien::Mesh> faces{face(23, 1), face(23, 2), face(23, 0)};
+    const mien::Series series(*session_, *model_, faces);
+    const auto truth = sheet().face(23, 0);
+    EXPECT_LT(distance(series.identity().positions(), truth), 0.3);
+    EXPECT_EQ(series.neutral(2).positions().size(), truth.size());
+    EXPECT_THROW(series.neutral(3), mien::Exception);
+
+    const mien::Neutralization up(*session_, *model_, faces[0]), none(*session_, *model_, face(24, 0));
+    EXPECT_LT(distance(up.apply_to_scan(*session_, faces[0]).positions(), up.mesh().positions()), 0.3);
+    const auto worn = up.transfer_to(*session_, *model_, none).positions();
+    EXPECT_LT(distance(worn, sheet().face(24, 1)), 0.5 * distance(worn, sheet().face(24, 0)));
+    EXPECT_EQ(model_->sample(*session_, 7, "up").positions(), model_->sample(*session_, 7, "up").positions());
+}
+
+TEST_F(Expression, EvaluationIsJsonWithEveryExpression) {
+    mien::EvaluateOptions options;
+    options.against = model_->get();
+    const std::string json = model_->evaluate(*session_, *data_, options);
+    for (const char* key : {"\"up\"", "\"down\"", "\"neutral\"", "\"all\"", "effect_over_against"})
+        EXPECT_NE(json.find(key), std::string::npos) << key;
+}
+
+TEST_F(Expression, BadInputIsATypedError) {
+    mien_error error = fresh_error();
+    mien_neutralization* out = reinterpret_cast<mien_neutralization*>(1);
+    EXPECT_EQ(MIEN_E_INVALID_HANDLE,
+              mien_neutralize_mesh(session_->get(), nullptr, face(1, 1).get(), nullptr, &out, &error));
+    EXPECT_EQ(nullptr, out);
+    EXPECT_EQ(MIEN_E_INVALID_HANDLE, mien_neutralize_mesh(session_->get(), model_->get(), nullptr, nullptr,
+                                                          &out, &error));
+    const mien::Mesh small(*session_, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
+    EXPECT_EQ(MIEN_E_MISMATCH, mien_neutralize_mesh(session_->get(), model_->get(), small.get(), nullptr,
+                                                    &out, &error));
+    mien::NeutralizeOptions options;
+    std::vector<double> weights(Sheet::kSide * Sheet::kSide, 1.0);
+    weights[17] = std::numeric_limits<double>::quiet_NaN();
+    options.set_weights(weights);
+    const mien::Mesh good = face(1, 1);
+    EXPECT_EQ(MIEN_E_INVALID_ARGUMENT, mien_neutralize_mesh(session_->get(), model_->get(), good.get(),
+                                                            &options, &out, &error));
+    EXPECT_EQ(17, error.detail_index);
+    options = {};
+    options.method = 9;
+    EXPECT_EQ(MIEN_E_INVALID_ARGUMENT, mien_neutralize_mesh(session_->get(), model_->get(), good.get(),
+                                                            &options, &out, &error));
+    mien_expression_model* model = nullptr;
+    EXPECT_EQ(MIEN_E_WRONG_KIND,
+              mien_expression_model_load(session_->get(), data_->c_str(), &model, &error));
+    EXPECT_EQ(MIEN_E_IO, mien_expression_model_load(session_->get(), "/nowhere/x", &model, &error));
+    const mien::Neutralization result(*session_, *model_, good);
+    std::uint64_t count = 0;
+    EXPECT_EQ(MIEN_E_NOT_FOUND, mien_neutralization_get_uncertainty(result.get(), nullptr, 0, &count, &error));
+    EXPECT_EQ(nullptr, mien_neutralization_mesh(nullptr));
+    mien_neutralization_release(nullptr);
+    mien_expression_model_release(nullptr);
+    mien_series_release(nullptr);
+    mien_evaluation_release(nullptr);
+}
+
+TEST_F(Expression, AMeshOutlivesItsNeutralization) {
+    mien::Mesh kept = mien::Neutralization(*session_, *model_, face(25, 1)).mesh();
+    EXPECT_EQ(kept.positions().size(), static_cast<std::size_t>(Sheet::kSide * Sheet::kSide));
+}
+
+TEST_F(Expression, TrainingCanBeCancelled) {
+    mien::TrainOptions options;
+    options.identity_modes = options.expression_modes = 5;
+    try {
+        mien::ExpressionModel::train(*session_, *data_, options,
+                                     [](int, double fraction) { return fraction < 0.3; });
+        FAIL() << "not cancelled";
+    } catch (const mien::Exception& exception) {
+        EXPECT_EQ(MIEN_E_CANCELLED, exception.status());
+    }
+}
+
+}  // namespace
