@@ -2,8 +2,9 @@
 #pragma once
 
 #include <atomic>
-#include <cstdio>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <random>
 #include <string>
 
@@ -37,21 +38,14 @@ class ScratchFolder {
     std::filesystem::path path_;
 };
 
+// Paths are UTF-8 on every system, which the C library's fopen() is not.
 inline void write_bytes(const std::string& path, const std::string& bytes) {
-    std::FILE* file = std::fopen(path.c_str(), "wb");
-    std::fwrite(bytes.data(), 1, bytes.size(), file);
-    std::fclose(file);
+    std::ofstream(std::filesystem::u8path(path), std::ios::binary) << bytes;
 }
 
 inline std::string read_bytes(const std::string& path) {
-    std::string bytes;
-    std::FILE* file = std::fopen(path.c_str(), "rb");
-    if (file == nullptr) return bytes;
-    char part[4096];
-    for (std::size_t got; (got = std::fread(part, 1, sizeof part, file)) != 0;)
-        bytes.append(part, got);
-    std::fclose(file);
-    return bytes;
+    std::ifstream file(std::filesystem::u8path(path), std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
 }
 
 }  // namespace mien::testing

@@ -47,6 +47,19 @@ TEST(Json, TextThatIsNotUtf8IsNotWritten) {
         EXPECT_TRUE(is_utf8(text));
 }
 
+TEST(Error, AMessageThatIsCutEndsWithAWholeCharacter) {
+    for (int shift = 0; shift < 4; ++shift)
+        for (const char* character : {"a", "\xc3\xa9", "\xe9\xa1\x94", "\xf0\x9f\x98\x80"}) {
+            std::string text(static_cast<std::size_t>(shift), '.');
+            while (text.size() < 400) text += character;
+            const std::string cut = Error(Status::io, -1, text.c_str()).what();
+            EXPECT_TRUE(is_utf8(cut)) << cut;
+            EXPECT_GE(cut.size(), 252u);
+            EXPECT_EQ(text.compare(0, cut.size(), cut), 0);
+        }
+    EXPECT_STREQ(Error(Status::io, -1, "short \xc3\xa9").what(), "short \xc3\xa9");
+}
+
 TEST(Json, NamesInMessagesAreShortPrintableAndNotCutWithinACharacter) {
     EXPECT_EQ(shown_name("jaw"), "jaw");
     EXPECT_EQ(shown_name("a\nb"), "a?b");
