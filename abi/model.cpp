@@ -39,7 +39,7 @@ mien_model_options default_model_options() {
     mien_model_options options{};
     options.kernel = static_cast<std::int32_t>(kernel.kind);
     options.sigma_mm = kernel.sigma_mm;
-    options.scale_mm = kernel.scale_mm;
+    options.scale_mm = 3;  // what faces differ by from their mean, so that a scan may pull a template along
     options.nu = kernel.nu;
     options.levels = 1;
     options.num_modes = static_cast<std::int32_t>(core.num_modes);

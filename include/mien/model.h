@@ -66,7 +66,7 @@ typedef struct mien_model_options {
     uint32_t struct_size;
     int32_t kernel;          /**< MIEN_KERNEL_..., default GEODESIC_SE */
     double sigma_mm;         /**< length scale; full width for BSPLINE; > 0, default 20 */
-    double scale_mm;         /**< standard deviation of a displacement's coordinate; > 0, default 1 */
+    double scale_mm;         /**< standard deviation of a displacement's coordinate; > 0, default 3 */
     double nu;               /**< smoothness of SURFACE_MATERN, 0.1 to 20, default 2 */
     int32_t levels;          /**< 1 to 12, default 1: sum of kernels with sigma, 2 sigma, 4 sigma, ... */
     int32_t num_modes;       /**< deformation modes at most, 3 per scalar mode; >= 3, default 999 */

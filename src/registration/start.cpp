@@ -111,7 +111,8 @@ std::vector<std::size_t> contradicting_pins(const DeformationModel& model, const
         covariance.diagonal().segment<3>(3 * k).array() += sigma * sigma;
     }
     constexpr double kLimit = 40;  // chi-squared with 3 degrees, with room for an imperfect prior
-    while (kept.size() > (2 * pins.size() + 2) / 3) {
+    const std::size_t most = std::max<std::size_t>(1, pins.size() / 10);
+    while (kept.size() > 4) {
         const Index m = static_cast<Index>(kept.size());
         Matrix part(3 * m, 3 * m);
         Vector d(3 * m);
@@ -135,6 +136,9 @@ std::vector<std::size_t> contradicting_pins(const DeformationModel& model, const
             if (value > worst_value) worst = i, worst_value = value;
         }
         if (worst < 0) break;
+        // A few wrong picks stand alone; where many places disagree it is the face that the prior did not
+        // expect (an open mouth), and its landmarks are the best evidence there is.
+        if (rejected.size() == most) return {};
         rejected.push_back(kept[static_cast<std::size_t>(worst)]);
         kept.erase(kept.begin() + worst);
     }

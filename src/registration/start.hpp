@@ -18,7 +18,8 @@ Similarity align_robustly(const DeformationModel& model, const std::vector<Pin>&
 /// Numbers of pins that the others, under the model's prior, contradict: leave-one-out prediction
 ///   r_k = (C^-1 d)_k, S_k = (C^-1)_kk,  reject while max r_k' S_k^-1 r_k > limit,
 /// C the prior covariance of the pinned places plus picking noise plus a free motion. Needs at least
-/// five pins; keeps at least two thirds of them.
+/// five pins. When more than a tenth of them would go, none does: then it is the face that the prior did
+/// not expect, not the picking.
 std::vector<std::size_t> contradicting_pins(const DeformationModel& model, const std::vector<Pin>& pins,
                                             const Similarity& motion, double kernel_amplitude,
                                             double pca_amplitude);

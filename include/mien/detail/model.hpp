@@ -37,7 +37,7 @@ struct TuneSettings {
 /// The settings of mien_model_options; see there for units, ranges and defaults.
 struct ModelSettings {
     std::int32_t kernel = MIEN_KERNEL_GEODESIC_SE;
-    double sigma_mm = 20, scale_mm = 1, nu = 2;
+    double sigma_mm = 20, scale_mm = 3, nu = 2;
     int levels = 1, num_modes = 999;
     std::vector<mien_kernel> more_kernels;
     double tolerance = 0;
