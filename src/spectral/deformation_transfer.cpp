@@ -99,7 +99,7 @@ DeformationTransfer::DeformationTransfer(const TriMesh& target_neutral, const Co
         ++s.piece_size[s.piece[v]];
     }
     SparseMatrix matrix(n, n);
-    const double tiny = 1e-12 * diagonal.sum() / static_cast<double>(n) + 1e-300;
+    const double tiny = 1e-15 * diagonal.sum() / static_cast<double>(n) + 1e-300;
     for (auto& entry : entries)
         if (s.pinned[entry.row()] || s.pinned[entry.col()])
             entry = Eigen::Triplet<double, int>(entry.row(), entry.col(), 0.0);
