@@ -13,6 +13,7 @@
 #include "mesh.h"
 #include "model.h"
 #include "registration.h"
+#include "score.h"
 #include "session.h"
 #include "spectral.h"
 

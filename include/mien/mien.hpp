@@ -8,6 +8,7 @@
 #include "detail/measure.hpp"
 #include "detail/model.hpp"
 #include "detail/registration.hpp"
+#include "detail/score.hpp"
 #include "detail/spectral.hpp"
 
 #endif
