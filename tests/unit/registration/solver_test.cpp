@@ -1,0 +1,164 @@
+#include "registration/solver.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+
+#include "registration/nicp.hpp"
+#include "registration/refine.hpp"
+#include "registration/skin.hpp"
+#include "small_face.hpp"
+
+namespace mien {
+namespace {
+
+using namespace test;
+
+// The stacked 3V x 3r system, formed plainly, as the judge.
+TEST(FitSolver, AgreesWithTheStackedSystem) {
+    const SmallFace face = small_face(14, 4);
+    const Index n = face.model.num_vertices(), r = face.model.basis.cols;
+    const Matrix phi = face.model.basis.map().cast<double>();
+    FitTerms terms;
+    terms.reset(n);
+    Matrix stacked = Matrix::Zero(3 * n, 3 * r), precision = Matrix::Zero(3 * n, 3 * n);
+    Vector target(3 * n);
+    for (Index i = 0; i < n; ++i) {
+        const Vector3 normal = Vector3(std::sin(0.1 * i), std::cos(0.2 * i), 1.5).normalized();
+        const Vector3 goal(std::sin(0.05 * i), 2 * std::cos(0.03 * i), 3);
+        const double weight = 0.2 + 0.1 * static_cast<double>(i % 5), tau = 0.05;
+        terms.add_planar(i, weight, tau, normal, goal);
+        if (i % 9 == 0) terms.add_isotropic(i, 2, goal);
+        Matrix3 h = weight * ((1 - tau) * normal * normal.transpose() + tau * Matrix3::Identity());
+        if (i % 9 == 0) h += 2 * Matrix3::Identity();
+        precision.block<3, 3>(3 * i, 3 * i) = h;
+        target.segment<3>(3 * i) = goal;
+        for (int axis = 0; axis < 3; ++axis) stacked.row(3 * i + axis).segment(axis * r, r) = phi.row(i);
+    }
+    FitStepOptions options;
+    options.scalar_modes = r;
+    options.kernel_ridge = 0.7;
+    options.move = false;
+    options.tolerance = 1e-6;
+    options.max_iterations = 500;
+    FitCoefficients found;
+    found.kernel.setZero(r, 3);
+    FitSolver solver(face.model);
+    solver.step(terms, face.model.template_mesh.vertices, options, found, {});
+    const Matrix normal_matrix = stacked.transpose() * precision * stacked + 0.7 * Matrix::Identity(3 * r, 3 * r);
+    const Vector expected = normal_matrix.ldlt().solve(stacked.transpose() * precision * target);
+    for (int axis = 0; axis < 3; ++axis)
+        EXPECT_LT((phi * (found.kernel.col(axis).cast<double>() - expected.segment(axis * r, r))).cwiseAbs().maxCoeff(),
+                  5e-3);
+}
+
+TEST(FitSolver, FindsASmallMotion) {
+    const SmallFace face = small_face(20);
+    const Points& rest = face.model.template_mesh.vertices;
+    const Similarity truth = motion_of(3, Vector3(1, 1, 0), Vector3(2, -3, 1));
+    FitTerms terms;
+    terms.reset(rest.rows());
+    for (Index i = 0; i < rest.rows(); ++i)
+        terms.add_isotropic(i, 1, truth.apply(Vector3(rest.row(i))) - rest.row(i).transpose());
+    FitStepOptions options;
+    FitCoefficients none;
+    none.kernel.resize(0, 3);
+    FitSolver solver(face.model);
+    const Similarity found = solver.step(terms, rest, options, none, {});
+    EXPECT_LT((found.rotation - truth.rotation).norm(), 5e-3);
+    EXPECT_NEAR(found.scale, 1, 5e-3);
+}
+
+TEST(FitSolver, PriorVarianceForbidsWhatItExcludes) {
+    SmallFace face = small_face(14, 4);
+    const Index r = face.model.basis.cols;
+    face.model.prior_variance = Matrix::Ones(r, 3);
+    face.model.prior_variance.col(0).setZero();  // nothing moves along x
+    FitTerms terms;
+    terms.reset(face.model.num_vertices());
+    for (Index i = 0; i < face.model.num_vertices(); ++i) terms.add_isotropic(i, 1, Vector3(5, 5, 5));
+    FitStepOptions options;
+    options.scalar_modes = r;
+    options.move = false;
+    options.tolerance = 1e-5;
+    FitCoefficients found;
+    found.kernel.setZero(r, 3);
+    FitSolver solver(face.model);
+    solver.step(terms, face.model.template_mesh.vertices, options, found, {});
+    EXPECT_LT(found.kernel.col(0).norm(), 0.3 * found.kernel.col(1).norm());
+}
+
+TEST(Growth, RunsFromFewToAll) {
+    for (const ModeGrowth growth : {ModeGrowth::linear, ModeGrowth::exponential, ModeGrowth::cubic}) {
+        EXPECT_EQ(modes_at(growth, 0, 10, 333), 10);
+        EXPECT_EQ(modes_at(growth, 1, 10, 333), 333);
+        Index last = 0;
+        for (double f = 0; f <= 1; f += 0.05) {
+            EXPECT_GE(modes_at(growth, f, 10, 333), last);
+            last = modes_at(growth, f, 10, 333);
+        }
+    }
+    EXPECT_EQ(modes_at(ModeGrowth::constant, 0, 10, 333), 333);
+}
+
+TEST(Correspondence, FiltersSayNoAtBordersAndAgainstNormals) {
+    const SmallFace face = small_face(20);
+    const ScanSurface scan = prepare_scan(face.model.template_mesh, 2, {});
+    Points places(3, 3), normals(3, 3);
+    places << 0, 0, 90, 100, 0, 40, 0, 30, 70;
+    normals << 0, 0, 1, 0, 0, 1, 0, 0, -1;
+    Correspondences found;
+    CorrespondenceOptions options;
+    options.robust = RobustWeight::none;
+    find_correspondences(scan, places, normals, Vector(), options, found, {});
+    EXPECT_GT(found.weight[0], 0);
+    EXPECT_EQ(found.weight[1], 0);  // beyond the rim
+    EXPECT_EQ(found.weight[2], 0);  // seen from behind
+    options.reject_border = false;
+    options.max_angle_deg = 180;
+    find_correspondences(scan, places, normals, Vector(), options, found, {});
+    EXPECT_GT(found.weight[1], 0);
+    EXPECT_GT(found.weight[2], 0);
+}
+
+TEST(Folds, AreFoundAndUndone) {
+    const TriMesh sheet = face_sheet(30);
+    Points folded = sheet.vertices;
+    EXPECT_TRUE(find_folds(folded, sheet.vertices, sheet.triangles).empty());
+    folded.row(15 * 31 + 15) += Eigen::RowVector3d(9, 0, 0);  // over its neighbours
+    EXPECT_FALSE(find_folds(folded, sheet.vertices, sheet.triangles).empty());
+    Index repaired = 0;
+    const VertexRings rings = build_rings(sheet.vertices.rows(), sheet.triangles);
+    EXPECT_EQ(repair_folds(sheet.vertices, sheet.triangles, rings, 12, folded, repaired), 0);
+    EXPECT_GT(repaired, 0);
+}
+
+TEST(Gap, IsClosedSmoothly) {
+    const TriMesh sheet = face_sheet(40);
+    TriMesh target = sheet;
+    for (Index i = 0; i < target.vertices.rows(); ++i)
+        target.vertices(i, 2) += 0.8 * gauss(target.vertices(i, 0), 25) * gauss(target.vertices(i, 1), 25);
+    const ScanSurface scan = prepare_scan(target, 0, {});
+    Points places = sheet.vertices;
+    close_gap(scan, sheet.triangles, build_rings(places.rows(), sheet.triangles), Vector::Ones(places.rows()), {}, {},
+              places, {});
+    std::vector<SurfaceHit> before, after;
+    scan.tree.closest(sheet.vertices, 10, before, {});
+    scan.tree.closest(places, 10, after, {});
+    double gap_before = 0, gap_after = 0;
+    for (std::size_t i = 0; i < before.size(); ++i) gap_before += before[i].distance(), gap_after += after[i].distance();
+    EXPECT_LT(gap_after, 0.25 * gap_before);
+}
+
+TEST(Skin, TonesOfSkinOutweighHairAndCloth) {
+    Colors colors(7, 3);
+    colors << 226, 184, 160, 205, 158, 130, 168, 118, 90, 120, 80, 60, 52, 36, 26, 58, 84, 150, 60, 160, 60;
+    const Vector weights = skin_weights(colors, 0.05);
+    for (int skin = 0; skin < 4; ++skin)
+        for (int other = 4; other < 7; ++other) EXPECT_GT(weights[skin], 2 * weights[other]) << skin << " " << other;
+    EXPECT_GE(weights.minCoeff(), 0.05);
+    EXPECT_LE(weights.maxCoeff(), 1);
+}
+
+}  // namespace
+}  // namespace mien
