@@ -69,12 +69,12 @@ export MIEN WORK="$work" PARTS=3 IDENTITY_MODES=8 EXPRESSION_MODES=8
 shards=$(sbatch --parsable --mem=0 --cpus-per-task=1 --array=1-3 --output="$work/log/shard-%a.txt" "$here/shard.sbatch")
 sbatch --wait --mem=0 --cpus-per-task=1 --dependency="afterok:$shards" --output="$work/log/merge.txt" "$here/merge.sbatch"
 "$MIEN" train --data "$work/study.safetensors" --identity-modes 8 --expression-modes 8 --out "$work/single.safetensors"
-"$MIEN" neutralize --model "$work/single.safetensors" --in "$demo/face.ply" --out "$work/a.ply"
-"$MIEN" neutralize --model "$work/expressions.safetensors" --in "$demo/face.ply" --out "$work/b.ply"
+"$MIEN" neutralize --model "$work/single.safetensors" --in "$demo/scan/truth_grin.ply" --out "$work/a.ply"
+"$MIEN" neutralize --model "$work/expressions.safetensors" --in "$demo/scan/truth_grin.ply" --out "$work/b.ply"
 "$MIEN" measure distance --before "$work/a.ply" --after "$work/b.ply" --json "$work/distance.json"
 python3 - "$work/distance.json" <<'PY'
 import json, sys
-worst = json.load(open(sys.argv[1]))["whole"]["max_length_mm"]
+worst = json.load(open(sys.argv[1]))["distance"]["whole"]["max_length_mm"]
 print(f"merged against single run: {worst:.2e} mm")
 sys.exit(worst > 1e-4)
 PY
