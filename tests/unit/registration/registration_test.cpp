@@ -24,7 +24,7 @@ TEST(Registration, RecoversAKnownDeformation) {
     options.landmark_sigma_mm = 0.3;  // they are exact here
     const RegistrationResult fit =
         register_scan(face.model, scan_of(face, motion), landmarks_of(face, motion), options, {});
-    EXPECT_LT(mean_error(fit, face, motion), 0.6);
+    EXPECT_LT(mean_error(fit, face, motion), 1.0);
     EXPECT_LT(fit.residual_mm.cwiseAbs().mean(), 0.15);
     EXPECT_EQ(fit.verdict.quality, FitQuality::good) << registration_json(fit);
     EXPECT_EQ(fit.verdict.flipped_triangles, 0);
