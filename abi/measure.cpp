@@ -1,9 +1,13 @@
+#include <algorithm>
 #include <cmath>
 
 #include "arrays.hpp"
+#include "geometry/rigid_zone.hpp"
 #include "guard.hpp"
 #include "measure/area.hpp"
 #include "measure/measurement.hpp"
+#include "measure/pair_check.hpp"
+#include "measure/scan_volume.hpp"
 #include "mesh.hpp"
 #include "options.hpp"
 #include "session.hpp"
@@ -194,6 +198,64 @@ mien_status MIEN_CALL mien_measure_area(mien_session* session, const mien_mesh* 
     });
 }
 
+mien_status MIEN_CALL mien_measure_scan_volume(mien_session* session, const mien_mesh* before,
+                                               const mien_mesh* after, int32_t carry,
+                                               const double* direction, const mien_measure_options* options,
+                                               double* coverage, mien_measurement** out, mien_error* error) {
+    return guarded_create(out, error, [&] {
+        const mien_measure_options given = read_measure_options(options);
+        const TriMesh& first = *checked(before, "before").mesh;
+        const TriMesh& second = *checked(after, "after").mesh;
+        const Call call(session, given.progress, given.progress_user, given.cancel);
+        if (carry < MIEN_CARRY_CLOSEST_POINT || carry > MIEN_CARRY_VERTEX_NORMAL)
+            fail(Status::unsupported_option, "carry is %d, which is unknown", carry);
+        if (carry == MIEN_CARRY_DIRECTION && direction == nullptr)
+            fail(Status::invalid_argument, "direction is null");
+        ScanVolumeOptions settings;
+        settings.carry = static_cast<Carry>(carry);
+        if (direction != nullptr) settings.direction = Vector3(direction[0], direction[1], direction[2]);
+        if (given.max_distance_mm != 0) settings.max_distance_mm = given.max_distance_mm;
+        settings.zones = read_zones(given);
+        ScanVolumeReport report = measure_scan_volume(first, second, settings, call.context());
+        Measurement result = measurement_of(report, given.limit_of_detection_ml);
+        auto made = std::make_unique<mien_measurement>(std::move(result));
+        if (coverage != nullptr) *coverage = report.whole_coverage;
+        return made.release();
+    });
+}
+
+mien_status MIEN_CALL mien_measure_align(mien_session* session, const mien_mesh* moving,
+                                         const mien_mesh* target, const mien_measure_zone* stable,
+                                         mien_zone_alignment* info, mien_mesh** out, mien_error* error) {
+    return guarded_create(out, error, [&] {
+        const TriMesh& source = *checked(moving, "moving").mesh;
+        const TriMesh& fixed = *checked(target, "target").mesh;
+        const Call call(session);
+        const Zone zone = stable != nullptr ? read_zone(*stable) : Zone();
+        check_faces_in_correspondence(fixed.vertices, source.vertices, fixed.triangles);
+        const RigidZoneResult result =
+            align_on_zone(source.vertices, fixed.vertices, fixed.triangles, zone.vertices, RigidZoneOptions());
+        TriMesh moved = source;
+        moved.vertices = result.motion.apply(PointsRef(source.vertices));
+        auto made = std::make_unique<mien_mesh>(std::make_shared<const TriMesh>(std::move(moved)));
+        if (info != nullptr) {
+            mien_zone_alignment value{};
+            value.pairs = static_cast<uint64_t>(result.pairs);
+            value.rms_mm = result.rms_mm;
+            value.rotation_sd_rad = std::sqrt(result.covariance.diagonal().head<3>().mean());
+            value.translation_sd_mm = std::sqrt(result.covariance.diagonal().tail<3>().mean());
+            for (int r = 0; r < 3; ++r) {
+                value.centre[r] = result.centre[r];
+                for (int c = 0; c < 3; ++c) value.matrix[4 * r + c] = result.motion.rotation(r, c);
+                value.matrix[4 * r + 3] = result.motion.translation[r];
+            }
+            value.matrix[15] = 1;
+            write_struct(info, value, MIEN_FIRST_SIZE(mien_zone_alignment, matrix));
+        }
+        return made.release();
+    });
+}
+
 mien_status MIEN_CALL mien_measurement_get_zones(const mien_measurement* measurement,
                                                  uint32_t* zone_count, int32_t* zones_disjoint,
                                                  mien_error* error) {
@@ -270,8 +332,8 @@ mien_status MIEN_CALL mien_measurement_get_field(const mien_measurement* measure
         const Vector* values = nullptr;
         if (field == MIEN_FIELD_SIGNED_DISTANCE_MM && data.distance) values = &data.distance->signed_mm;
         if (field == MIEN_FIELD_DISTANCE_MM && data.distance) values = &data.distance->length_mm;
-        if (field == MIEN_FIELD_POSITIVE_VOLUME_MM3 && data.volume) values = &data.shares.positive_mm3;
-        if (field == MIEN_FIELD_NEGATIVE_VOLUME_MM3 && data.volume) values = &data.shares.negative_mm3;
+        if (field == MIEN_FIELD_POSITIVE_VOLUME_MM3 && data.shares.positive_mm3.size() > 0) values = &data.shares.positive_mm3;
+        if (field == MIEN_FIELD_NEGATIVE_VOLUME_MM3 && data.shares.negative_mm3.size() > 0) values = &data.shares.negative_mm3;
         if (values == nullptr)
             fail(Status::not_found, "this measurement has no field %d", field);
         copy_rows(values->data(), static_cast<uint64_t>(values->size()), sizeof(double), dst, capacity, count);

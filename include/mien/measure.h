@@ -207,6 +207,78 @@ MIEN_API mien_status MIEN_CALL mien_measure_area(mien_session *session, const mi
                                                  const mien_measure_zone *zone, double *area_mm2,
                                                  mien_error *error);
 
+/** How vertices are carried onto a surface that is not in correspondence. */
+enum {
+    MIEN_CARRY_CLOSEST_POINT = 1,
+    MIEN_CARRY_DIRECTION = 2,     /**< along one direction: a height field's integral */
+    MIEN_CARRY_VERTEX_NORMAL = 3
+};
+
+/**
+ * The volume between two surfaces that are not in correspondence, scan to scan: each vertex of before is
+ * carried onto after, then the swept volume is measured. Triangles without a partner do not count.
+ *
+ * @param session   [in] not null.
+ * @param before    [in] not null; #V x 3, mm, with triangles.
+ * @param after     [in] not null; another surface with triangles, aligned with before.
+ * @param carry     [in] MIEN_CARRY_*.
+ * @param direction [in] 3 numbers, any length but zero; may be null unless carry is MIEN_CARRY_DIRECTION.
+ * @param options   [in] may be null; zones (of before), max_distance_mm (0: 20), limit_of_detection_ml,
+ *                  progress, cancel. Deviations are not read.
+ * @param coverage  [out] may be null; share of before's area that had a partner, 0 to 1.
+ * @param out       [out] not null; the measurement, or null on failure.
+ * @param error     [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH, MIEN_E_NO_SOLUTION
+ *         (nothing within reach), MIEN_E_NO_MEMORY, MIEN_E_CANCELLED
+ * @owner  the caller releases *out with mien_measurement_release()
+ * @thread externally synchronized by session
+ * @cancel yes
+ * @cost   O(#V log #F)
+ * @since  0.1
+ */
+MIEN_API mien_status MIEN_CALL mien_measure_scan_volume(mien_session *session, const mien_mesh *before,
+                                                        const mien_mesh *after, int32_t carry,
+                                                        const double *direction,
+                                                        const mien_measure_options *options,
+                                                        double *coverage, mien_measurement **out,
+                                                        mien_error *error);
+
+/** A rigid alignment on a stable zone and how sure it is. */
+typedef struct mien_zone_alignment {
+    uint32_t struct_size;
+    uint32_t reserved;
+    uint64_t pairs;            /**< that counted */
+    double rms_mm;             /**< left over along the normals */
+    double rotation_sd_rad;    /**< about the centre, root mean square over the axes */
+    double translation_sd_mm;  /**< per axis, root mean square */
+    double centre[3];          /**< of the zone on the target */
+    double matrix[16];         /**< 4 x 4 row by row, moving to target */
+} mien_zone_alignment;
+
+/**
+ * Moves one face rigidly onto another by a zone that has not changed (forehead, nose bridge), robustly.
+ * The deviations feed alignment_rotation_sd_rad, alignment_translation_sd_mm and alignment_centre.
+ *
+ * @param session [in] not null.
+ * @param moving  [in] not null; #V x 3, mm.
+ * @param target  [in] not null; same vertex count, with triangles.
+ * @param stable  [in] may be null: all vertices.
+ * @param info    [in,out] may be null; struct_size as the caller knows it, the rest is written.
+ * @param out     [out] not null; the moved mesh, or null on failure.
+ * @param error   [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH, MIEN_E_NO_SOLUTION (zone
+ *         too small or straight), MIEN_E_NO_MEMORY
+ * @owner  the caller releases *out with mien_mesh_release()
+ * @thread externally synchronized by session
+ * @cancel no
+ * @cost   O(#V + #F)
+ * @since  0.1
+ */
+MIEN_API mien_status MIEN_CALL mien_measure_align(mien_session *session, const mien_mesh *moving,
+                                                  const mien_mesh *target, const mien_measure_zone *stable,
+                                                  mien_zone_alignment *info, mien_mesh **out,
+                                                  mien_error *error);
+
 /**
  * How many zones were measured.
  *

@@ -102,6 +102,25 @@ Measurement measure_volume_fully(const PointsRef& before, const PointsRef& after
     return result;
 }
 
+Measurement measurement_of(const ScanVolumeReport& report, double limit_of_detection_ml) {
+    if (!(limit_of_detection_ml >= 0) || !std::isfinite(limit_of_detection_ml))
+        fail(Status::invalid_argument, "limit of detection %g mL; give a positive one, or 0 for none",
+             limit_of_detection_ml);
+    Measurement result;
+    result.limit_of_detection_ml = limit_of_detection_ml;
+    result.volume = report.volume;
+    auto verdict = [&](const ZoneVolume& zone) {
+        return verdict_of(zone.volume, nullptr, {}, limit_of_detection_ml, Context());
+    };
+    for (const ZoneVolume& zone : report.volume.zones) {
+        result.zone_verdicts.push_back(verdict(zone));
+        result.zone_names.push_back(zone.name);
+    }
+    result.rest_verdict = verdict(report.volume.rest);
+    result.whole_verdict = verdict(report.volume.whole);
+    return result;
+}
+
 std::string measurement_json(const Measurement& m) {
     JsonText json;
     json.begin_object();

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "measure/distance.hpp"
+#include "measure/scan_volume.hpp"
 #include "measure/uncertainty.hpp"
 #include "measure/volume.hpp"
 
@@ -39,6 +40,10 @@ struct Measurement {
 Measurement measure_volume_fully(const PointsRef& before, const PointsRef& after,
                                  const TrianglesRef& triangles, const MeasureOptions& options,
                                  const Context& context);
+
+/// A scan-to-scan volume as a measurement without deviations; limit as in MeasureOptions. Shares per vertex
+/// are not kept.
+Measurement measurement_of(const ScanVolumeReport& report, double limit_of_detection_ml);
 
 /// UTF-8, numbers shortest that read back the same; what is not known is null.
 std::string measurement_json(const Measurement& measurement);

@@ -43,6 +43,17 @@ class Measurement {
         return make(mien_measure_surface_distance, session, before, after, options);
     }
 
+    /// Scan to scan; carry: MIEN_CARRY_*. `coverage` receives the share of before's area with a partner.
+    static Measurement scan_volume(const Session& session, const Mesh& before, const Mesh& after,
+                                   std::int32_t carry, const Position& direction = {{0, 0, 1}},
+                                   const MeasureOptions& options = {}, double* coverage = nullptr) {
+        auto function = [&](mien_session* s, const mien_mesh* a, const mien_mesh* b,
+                            const mien_measure_options* o, mien_measurement** out, mien_error* error) {
+            return mien_measure_scan_volume(s, a, b, carry, direction.data(), o, coverage, out, error);
+        };
+        return make(function, session, before, after, options);
+    }
+
     std::size_t zone_count() const {
         std::uint32_t count = 0;
         detail::call(mien_measurement_get_zones, get(), &count, nullptr);
@@ -107,6 +118,19 @@ class Measurement {
     }
     std::shared_ptr<mien_measurement> handle_;
 };
+
+/// Moves a face rigidly onto another by a zone that has not changed; an empty zone means all vertices.
+inline Mesh align_on_zone(const Session& session, const Mesh& moving, const Mesh& target,
+                          const std::vector<std::uint32_t>& stable, mien_zone_alignment* info = nullptr) {
+    const mien_measure_zone zone{"stable", stable.data(), stable.size()};
+    mien_zone_alignment local{};
+    local.struct_size = sizeof local;
+    mien_mesh* mesh = nullptr;
+    detail::call(mien_measure_align, session.get(), moving.get(), target.get(), stable.empty() ? nullptr : &zone,
+                 &local, &mesh);
+    if (info != nullptr) *info = local;
+    return Mesh(mesh);
+}
 
 /// mL; an open mesh is an error unless its rims may be closed by fans.
 inline double closed_volume_ml(const Session& session, const Mesh& mesh, bool close_rims = false) {
