@@ -75,6 +75,8 @@ namespace Mien.Native
         internal const int MIEN_FIELD_WEIGHT = 2;
         internal const int MIEN_FIELD_STANDARD_DEVIATION_MM = 3;
         internal const int MIEN_FIELD_RADIUS95_MM = 4;
+        internal const int MIEN_TRANSFER_LANDMARKS = 1;
+        internal const int MIEN_TRANSFER_ZONES = 2;
         internal const int MIEN_TRAIN_JPCA = 0;
         internal const int MIEN_TRAIN_QOJPCA = 1;
         internal const int MIEN_FIT_MIXTURE = 0;
@@ -90,6 +92,30 @@ namespace Mien.Native
         internal const int MIEN_FIELD_DISTANCE_MM = 2;
         internal const int MIEN_FIELD_POSITIVE_VOLUME_MM3 = 3;
         internal const int MIEN_FIELD_NEGATIVE_VOLUME_MM3 = 4;
+        internal const int MIEN_CARRY_CLOSEST_POINT = 1;
+        internal const int MIEN_CARRY_DIRECTION = 2;
+        internal const int MIEN_CARRY_VERTEX_NORMAL = 3;
+        internal const int MIEN_PLS_NIPALS = 0;
+        internal const int MIEN_PLS_SIMPLS = 1;
+        internal const int MIEN_MASS_MIXED_VORONOI = 0;
+        internal const int MIEN_MASS_BARYCENTRIC = 1;
+        internal const int MIEN_MASS_NONE = 2;
+        internal const int MIEN_COTANGENTS_INTRINSIC_DELAUNAY = 0;
+        internal const int MIEN_COTANGENTS_CLAMP = 1;
+        internal const int MIEN_COTANGENTS_KEEP = 2;
+        internal const int MIEN_METRIC_L1 = 1;
+        internal const int MIEN_METRIC_L2 = 2;
+        internal const int MIEN_METRIC_HAUSDORFF = 3;
+        internal const int MIEN_METRIC_DAME = 4;
+        internal const int MIEN_METRIC_FMPD = 5;
+        internal const int MIEN_FEATURES_EUCLIDEAN = 1;
+        internal const int MIEN_FEATURES_EUCLIDEAN_STANDARDISED = 2;
+        internal const int MIEN_FEATURES_EUCLIDEAN_NORMALISED = 3;
+        internal const int MIEN_FEATURES_DEFORMATION = 4;
+        internal const int MIEN_FEATURES_DEFORMATION_NORMALISED = 5;
+        internal const int MIEN_FEATURES_DEFORMATION_STANDARDISED = 6;
+        internal const int MIEN_MAP_DOWN = 1;
+        internal const int MIEN_MAP_UP = 2;
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -159,6 +185,16 @@ namespace Mien.Native
     }
 
     [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct LandmarkObservation
+    {
+        public IntPtr name;
+        public uint vertex;
+        public uint reserved;
+        public fixed double position[3];
+        public double noiseMm;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     internal unsafe struct ModelOptions
     {
         public uint structSize;
@@ -187,6 +223,26 @@ namespace Mien.Native
         public ulong landmarkCount;
         public IntPtr zones;
         public ulong zoneCount;
+        public IntPtr progress;
+        public IntPtr progressUser;
+        public IntPtr cancel;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct TuneOptions
+    {
+        public uint structSize;
+        public int kernel;
+        public IntPtr sigmasMm;
+        public ulong sigmaCount;
+        public double scaleMm;
+        public double nu;
+        public double rho;
+        public int levels;
+        public int numModes;
+        public IntPtr expressions;
+        public uint expressionCount;
+        public int maxSubjects;
         public IntPtr progress;
         public IntPtr progressUser;
         public IntPtr cancel;
@@ -284,6 +340,35 @@ namespace Mien.Native
     }
 
     [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct ShardOptions
+    {
+        public uint structSize;
+        public int part;
+        public int partCount;
+        public int maxRank;
+        public IntPtr progress;
+        public IntPtr progressUser;
+        public IntPtr cancel;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct SeriesOptions
+    {
+        public uint structSize;
+        public int method;
+        public int pose;
+        public uint reserved;
+        public double scanNoiseShare;
+        public double noiseMm2;
+        public IntPtr changingVertices;
+        public ulong changingCount;
+        public double expectedChangeMm;
+        public IntPtr progress;
+        public IntPtr progressUser;
+        public IntPtr cancel;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     internal unsafe struct EvaluateOptions
     {
         public uint structSize;
@@ -363,6 +448,87 @@ namespace Mien.Native
         public ulong vertexCount;
     }
 
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct ZoneAlignment
+    {
+        public uint structSize;
+        public uint reserved;
+        public ulong pairs;
+        public double rmsMm;
+        public double rotationSdRad;
+        public double translationSdMm;
+        public fixed double centre[3];
+        public fixed double matrix[16];
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct ScoreOptions
+    {
+        public uint structSize;
+        public int method;
+        public int numComponents;
+        public int maxComponents;
+        public int folds;
+        public uint reserved;
+        public ulong seed;
+        public double curvatureShare;
+        public double curvatureRadiusMm;
+        public double lowest;
+        public double highest;
+        public IntPtr zoneVertices;
+        public ulong zoneCount;
+        public IntPtr stableVertices;
+        public ulong stableCount;
+        public IntPtr progress;
+        public IntPtr progressUser;
+        public IntPtr cancel;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct ScorePrediction
+    {
+        public uint structSize;
+        public int extrapolates;
+        public double score;
+        public double low95;
+        public double high95;
+        public double leverage;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct SpectralBasisOptions
+    {
+        public uint structSize;
+        public uint modeCount;
+        public int mass;
+        public int cotangents;
+        public IntPtr progress;
+        public IntPtr progressUser;
+        public IntPtr cancel;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct BlendshapeOptions
+    {
+        public uint structSize;
+        public uint reserved;
+        public double ridge;
+        public IntPtr progress;
+        public IntPtr progressUser;
+        public IntPtr cancel;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct BandChoice
+    {
+        public ulong k;
+        public double l1Mm;
+        public double dame;
+        public double fmpd;
+        public int onFront;
+        public int chosen;
+    }
+
     internal sealed class SessionHandle : Handle
     {
         protected override bool ReleaseHandle() { Functions.mien_session_release(handle); return true; }
@@ -388,6 +554,11 @@ namespace Mien.Native
         protected override bool ReleaseHandle() { Functions.mien_model_release(handle); return true; }
     }
 
+    internal sealed class TuningHandle : Handle
+    {
+        protected override bool ReleaseHandle() { Functions.mien_tuning_release(handle); return true; }
+    }
+
     internal sealed class RegistrationHandle : Handle
     {
         protected override bool ReleaseHandle() { Functions.mien_registration_release(handle); return true; }
@@ -408,9 +579,39 @@ namespace Mien.Native
         protected override bool ReleaseHandle() { Functions.mien_evaluation_release(handle); return true; }
     }
 
+    internal sealed class SeriesHandle : Handle
+    {
+        protected override bool ReleaseHandle() { Functions.mien_series_release(handle); return true; }
+    }
+
     internal sealed class MeasurementHandle : Handle
     {
         protected override bool ReleaseHandle() { Functions.mien_measurement_release(handle); return true; }
+    }
+
+    internal sealed class ScoreModelHandle : Handle
+    {
+        protected override bool ReleaseHandle() { Functions.mien_score_model_release(handle); return true; }
+    }
+
+    internal sealed class SpectralBasisHandle : Handle
+    {
+        protected override bool ReleaseHandle() { Functions.mien_spectral_basis_release(handle); return true; }
+    }
+
+    internal sealed class RepresentationHandle : Handle
+    {
+        protected override bool ReleaseHandle() { Functions.mien_representation_release(handle); return true; }
+    }
+
+    internal sealed class HierarchyHandle : Handle
+    {
+        protected override bool ReleaseHandle() { Functions.mien_hierarchy_release(handle); return true; }
+    }
+
+    internal sealed class BlendshapeModelHandle : Handle
+    {
+        protected override bool ReleaseHandle() { Functions.mien_blendshape_model_release(handle); return true; }
     }
 
     internal static unsafe partial class Functions
@@ -683,6 +884,62 @@ namespace Mien.Native
 
 #if NET7_0_OR_GREATER
         [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_model_get_variance(ModelHandle model, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_model_get_variance(ModelHandle model, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_model_sample(SessionHandle session, ModelHandle model, ulong seed, ulong index, double strength, out MeshHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_model_sample(SessionHandle session, ModelHandle model, ulong seed, ulong index, double strength, out MeshHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_model_condition(SessionHandle session, ModelHandle model, ref LandmarkObservation observations, ulong observation_count, out ModelHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_model_condition(SessionHandle session, ModelHandle model, ref LandmarkObservation observations, ulong observation_count, out ModelHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_tune_options_init(ref TuneOptions options, UIntPtr struct_size);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_tune_options_init(ref TuneOptions options, UIntPtr struct_size);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_model_tune(SessionHandle session, MeshHandle template_mesh, byte[] dataset, ref TuneOptions options, out TuningHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_model_tune(SessionHandle session, MeshHandle template_mesh, byte[] dataset, ref TuneOptions options, out TuningHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_tuning_get_json(TuningHandle tuning, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_tuning_get_json(TuningHandle tuning, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_tuning_release(IntPtr tuning);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_tuning_release(IntPtr tuning);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial IntPtr mien_model_mesh(ModelHandle model);
 #else
         [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
@@ -787,6 +1044,30 @@ namespace Mien.Native
 
 #if NET7_0_OR_GREATER
         [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_surface_transfer_points(SessionHandle session, MeshHandle surface, ref ArrayView points, double max_distance_mm, IntPtr triangles, IntPtr barycentric, IntPtr positions, ulong capacity, out ulong count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_surface_transfer_points(SessionHandle session, MeshHandle surface, ref ArrayView points, double max_distance_mm, IntPtr triangles, IntPtr barycentric, IntPtr positions, ulong capacity, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_surface_transfer_zone(SessionHandle session, MeshHandle from, IntPtr vertices, ulong vertex_count, MeshHandle to, double max_distance_mm, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_surface_transfer_zone(SessionHandle session, MeshHandle from, IntPtr vertices, ulong vertex_count, MeshHandle to, double max_distance_mm, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_surface_transfer_json(SessionHandle session, ModelHandle model, MeshHandle fitted, MeshHandle scan, int what, double max_distance_mm, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_surface_transfer_json(SessionHandle session, ModelHandle model, MeshHandle fitted, MeshHandle scan, int what, double max_distance_mm, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial void mien_train_options_init(ref TrainOptions options, UIntPtr struct_size);
 #else
         [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
@@ -815,6 +1096,30 @@ namespace Mien.Native
 #else
         [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int mien_expression_model_train(SessionHandle session, byte[] dataset_path, ref TrainOptions options, out ExpressionModelHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_shard_options_init(ref ShardOptions options, UIntPtr struct_size);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_shard_options_init(ref ShardOptions options, UIntPtr struct_size);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_expression_shard_create(SessionHandle session, byte[] dataset_path, ref ShardOptions options, byte[] shard_path, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_expression_shard_create(SessionHandle session, byte[] dataset_path, ref ShardOptions options, byte[] shard_path, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_expression_model_merge(SessionHandle session, IntPtr[] shard_paths, uint shard_count, ref TrainOptions options, out ExpressionModelHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_expression_model_merge(SessionHandle session, IntPtr[] shard_paths, uint shard_count, ref TrainOptions options, out ExpressionModelHandle @out, ref Error error);
 #endif
 
 #if NET7_0_OR_GREATER
@@ -895,6 +1200,38 @@ namespace Mien.Native
 #else
         [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int mien_neutralize_mesh(SessionHandle session, ExpressionModelHandle model, MeshHandle face, ref NeutralizeOptions options, out NeutralizationHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_series_options_init(ref SeriesOptions options, UIntPtr struct_size);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_series_options_init(ref SeriesOptions options, UIntPtr struct_size);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_neutralize_series(SessionHandle session, ExpressionModelHandle model, out MeshHandle faces, uint face_count, ref SeriesOptions options, out SeriesHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_neutralize_series(SessionHandle session, ExpressionModelHandle model, out MeshHandle faces, uint face_count, ref SeriesOptions options, out SeriesHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_series_get_mesh(SeriesHandle series, int index, out MeshHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_series_get_mesh(SeriesHandle series, int index, out MeshHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_series_release(IntPtr series);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_series_release(IntPtr series);
 #endif
 
 #if NET7_0_OR_GREATER
@@ -1027,6 +1364,22 @@ namespace Mien.Native
 
 #if NET7_0_OR_GREATER
         [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_measure_scan_volume(SessionHandle session, MeshHandle before, MeshHandle after, int carry, IntPtr direction, ref MeasureOptions options, IntPtr coverage, out MeasurementHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_measure_scan_volume(SessionHandle session, MeshHandle before, MeshHandle after, int carry, IntPtr direction, ref MeasureOptions options, IntPtr coverage, out MeasurementHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_measure_align(SessionHandle session, MeshHandle moving, MeshHandle target, ref MeasureZone stable, ref ZoneAlignment info, out MeshHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_measure_align(SessionHandle session, MeshHandle moving, MeshHandle target, ref MeasureZone stable, ref ZoneAlignment info, out MeshHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial int mien_measurement_get_zones(MeasurementHandle measurement, out ulong zone_count, IntPtr zones_disjoint, ref Error error);
 #else
         [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
@@ -1071,6 +1424,430 @@ namespace Mien.Native
 #else
         [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_measurement_release(IntPtr measurement);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_score_options_init(ref ScoreOptions options, UIntPtr struct_size);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_score_options_init(ref ScoreOptions options, UIntPtr struct_size);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_score_model_train(SessionHandle session, byte[] dataset_path, IntPtr grades, ulong grade_count, ref ScoreOptions options, out ScoreModelHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_score_model_train(SessionHandle session, byte[] dataset_path, IntPtr grades, ulong grade_count, ref ScoreOptions options, out ScoreModelHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_score_model_load(SessionHandle session, byte[] path, out ScoreModelHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_score_model_load(SessionHandle session, byte[] path, out ScoreModelHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_score_model_save(SessionHandle session, ScoreModelHandle model, byte[] path, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_score_model_save(SessionHandle session, ScoreModelHandle model, byte[] path, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_score_model_predict(SessionHandle session, ScoreModelHandle model, MeshHandle face, ref ScorePrediction @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_score_model_predict(SessionHandle session, ScoreModelHandle model, MeshHandle face, ref ScorePrediction @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_score_model_simulate(SessionHandle session, ScoreModelHandle model, IntPtr face, double target, out MeshHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_score_model_simulate(SessionHandle session, ScoreModelHandle model, IntPtr face, double target, out MeshHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_score_model_get_latent(ScoreModelHandle model, int component, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_score_model_get_latent(ScoreModelHandle model, int component, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_score_model_get_json(ScoreModelHandle model, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_score_model_get_json(ScoreModelHandle model, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_score_model_retain(IntPtr model);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_score_model_retain(IntPtr model);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_score_model_release(IntPtr model);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_score_model_release(IntPtr model);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_statistics_agreement(SessionHandle session, IntPtr ratings, ulong subject_count, uint rater_count, int grade_count, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_statistics_agreement(SessionHandle session, IntPtr ratings, ulong subject_count, uint rater_count, int grade_count, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_statistics_repeatability(SessionHandle session, IntPtr values, IntPtr subjects, ulong value_count, IntPtr blanks, ulong blank_count, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_statistics_repeatability(SessionHandle session, IntPtr values, IntPtr subjects, ulong value_count, IntPtr blanks, ulong blank_count, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_statistics_bland_altman(SessionHandle session, IntPtr first, IntPtr second, ulong value_count, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_statistics_bland_altman(SessionHandle session, IntPtr first, IntPtr second, ulong value_count, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_spectral_basis_options_init(ref SpectralBasisOptions options, UIntPtr struct_size);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_spectral_basis_options_init(ref SpectralBasisOptions options, UIntPtr struct_size);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_spectral_basis_build(SessionHandle session, MeshHandle mean, ref SpectralBasisOptions options, out SpectralBasisHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_basis_build(SessionHandle session, MeshHandle mean, ref SpectralBasisOptions options, out SpectralBasisHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_spectral_basis_load(SessionHandle session, byte[] path, out SpectralBasisHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_basis_load(SessionHandle session, byte[] path, out SpectralBasisHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_spectral_basis_save(SessionHandle session, SpectralBasisHandle basis, byte[] path, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_basis_save(SessionHandle session, SpectralBasisHandle basis, byte[] path, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_spectral_basis_get_counts(SpectralBasisHandle basis, out ulong vertex_count, out ulong mode_count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_basis_get_counts(SpectralBasisHandle basis, out ulong vertex_count, out ulong mode_count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_spectral_basis_get_eigenvalues(SpectralBasisHandle basis, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_basis_get_eigenvalues(SpectralBasisHandle basis, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_spectral_basis_retain(IntPtr basis);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_spectral_basis_retain(IntPtr basis);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_spectral_basis_release(IntPtr basis);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_spectral_basis_release(IntPtr basis);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_spectral_split(SessionHandle session, SpectralBasisHandle basis, MeshHandle face, ulong k, out MeshHandle low, out MeshHandle high, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_split(SessionHandle session, SpectralBasisHandle basis, MeshHandle face, ulong k, out MeshHandle low, out MeshHandle high, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_spectral_assemble(SessionHandle session, SpectralBasisHandle basis, MeshHandle low, MeshHandle high, ulong k, out MeshHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_assemble(SessionHandle session, SpectralBasisHandle basis, MeshHandle low, MeshHandle high, ulong k, out MeshHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_spectral_edit(SessionHandle session, SpectralBasisHandle basis, MeshHandle face, IntPtr limits, ulong limit_count, IntPtr gains, out MeshHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_edit(SessionHandle session, SpectralBasisHandle basis, MeshHandle face, IntPtr limits, ulong limit_count, IntPtr gains, out MeshHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_spectral_mix(SessionHandle session, SpectralBasisHandle basis, MeshHandle first, MeshHandle second, IntPtr limits, ulong limit_count, IntPtr weights, out MeshHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_mix(SessionHandle session, SpectralBasisHandle basis, MeshHandle first, MeshHandle second, IntPtr limits, ulong limit_count, IntPtr weights, out MeshHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_metric(SessionHandle session, int metric, MeshHandle reference, MeshHandle other, IntPtr value, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_metric(SessionHandle session, int metric, MeshHandle reference, MeshHandle other, IntPtr value, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_representation_train(SessionHandle session, byte[] dataset_path, int kind, int neutral_only, out RepresentationHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_representation_train(SessionHandle session, byte[] dataset_path, int kind, int neutral_only, out RepresentationHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_representation_load(SessionHandle session, byte[] path, out RepresentationHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_representation_load(SessionHandle session, byte[] path, out RepresentationHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_representation_save(SessionHandle session, RepresentationHandle representation, byte[] path, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_representation_save(SessionHandle session, RepresentationHandle representation, byte[] path, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_representation_get_counts(RepresentationHandle representation, out ulong vertex_count, out ulong channel_count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_representation_get_counts(RepresentationHandle representation, out ulong vertex_count, out ulong channel_count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_representation_encode(SessionHandle session, RepresentationHandle representation, MeshHandle face, IntPtr motion, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_representation_encode(SessionHandle session, RepresentationHandle representation, MeshHandle face, IntPtr motion, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_representation_decode(SessionHandle session, RepresentationHandle representation, IntPtr features, ulong row_count, IntPtr motion, out MeshHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_representation_decode(SessionHandle session, RepresentationHandle representation, IntPtr features, ulong row_count, IntPtr motion, out MeshHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_representation_retain(IntPtr representation);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_representation_retain(IntPtr representation);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_representation_release(IntPtr representation);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_representation_release(IntPtr representation);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_hierarchy_build_quadric(SessionHandle session, MeshHandle mesh, uint level_count, double factor, out HierarchyHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_hierarchy_build_quadric(SessionHandle session, MeshHandle mesh, uint level_count, double factor, out HierarchyHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_hierarchy_build_connectivity(SessionHandle session, MeshHandle mesh, uint level_count, uint stride, uint radius, out HierarchyHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_hierarchy_build_connectivity(SessionHandle session, MeshHandle mesh, uint level_count, uint stride, uint radius, out HierarchyHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_hierarchy_load(SessionHandle session, byte[] path, out HierarchyHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_hierarchy_load(SessionHandle session, byte[] path, out HierarchyHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_hierarchy_save(SessionHandle session, HierarchyHandle hierarchy, byte[] path, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_hierarchy_save(SessionHandle session, HierarchyHandle hierarchy, byte[] path, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_hierarchy_get_level_count(HierarchyHandle hierarchy, out ulong level_count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_hierarchy_get_level_count(HierarchyHandle hierarchy, out ulong level_count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_hierarchy_get_level(HierarchyHandle hierarchy, uint level, out MeshHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_hierarchy_get_level(HierarchyHandle hierarchy, uint level, out MeshHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_hierarchy_apply(HierarchyHandle hierarchy, uint level, int direction, IntPtr values, ulong row_count, ulong channel_count, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_hierarchy_apply(HierarchyHandle hierarchy, uint level, int direction, IntPtr values, ulong row_count, ulong channel_count, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_hierarchy_retain(IntPtr hierarchy);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_hierarchy_retain(IntPtr hierarchy);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_hierarchy_release(IntPtr hierarchy);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_hierarchy_release(IntPtr hierarchy);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_transfer_expression(SessionHandle session, MeshHandle source_neutral, MeshHandle source_expression, MeshHandle target_neutral, out MeshHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_transfer_expression(SessionHandle session, MeshHandle source_neutral, MeshHandle source_expression, MeshHandle target_neutral, out MeshHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_blendshape_options_init(ref BlendshapeOptions options, UIntPtr struct_size);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_blendshape_options_init(ref BlendshapeOptions options, UIntPtr struct_size);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_blendshape_model_train(SessionHandle session, byte[] dataset_path, byte[] expression, ref BlendshapeOptions options, out BlendshapeModelHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_blendshape_model_train(SessionHandle session, byte[] dataset_path, byte[] expression, ref BlendshapeOptions options, out BlendshapeModelHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_blendshape_model_load(SessionHandle session, byte[] path, out BlendshapeModelHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_blendshape_model_load(SessionHandle session, byte[] path, out BlendshapeModelHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_blendshape_model_save(SessionHandle session, BlendshapeModelHandle model, byte[] path, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_blendshape_model_save(SessionHandle session, BlendshapeModelHandle model, byte[] path, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_blendshape_model_get_mean(BlendshapeModelHandle model, out MeshHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_blendshape_model_get_mean(BlendshapeModelHandle model, out MeshHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_blendshape_model_predict(SessionHandle session, BlendshapeModelHandle model, IntPtr basis, ulong k, MeshHandle neutral, out MeshHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_blendshape_model_predict(SessionHandle session, BlendshapeModelHandle model, IntPtr basis, ulong k, MeshHandle neutral, out MeshHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_blendshape_model_search(SessionHandle session, BlendshapeModelHandle model, SpectralBasisHandle basis, byte[] dataset_path, byte[] expression, IntPtr candidates, uint candidate_count, ref BlendshapeOptions options, ref BandChoice choices, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_blendshape_model_search(SessionHandle session, BlendshapeModelHandle model, SpectralBasisHandle basis, byte[] dataset_path, byte[] expression, IntPtr candidates, uint candidate_count, ref BlendshapeOptions options, ref BandChoice choices, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_blendshape_model_retain(IntPtr model);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_blendshape_model_retain(IntPtr model);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_blendshape_model_release(IntPtr model);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_blendshape_model_release(IntPtr model);
 #endif
     }
 }

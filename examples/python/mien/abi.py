@@ -68,6 +68,8 @@ MIEN_FIELD_RESIDUAL_MM = 1
 MIEN_FIELD_WEIGHT = 2
 MIEN_FIELD_STANDARD_DEVIATION_MM = 3
 MIEN_FIELD_RADIUS95_MM = 4
+MIEN_TRANSFER_LANDMARKS = 1
+MIEN_TRANSFER_ZONES = 2
 MIEN_TRAIN_JPCA = 0
 MIEN_TRAIN_QOJPCA = 1
 MIEN_FIT_MIXTURE = 0
@@ -83,6 +85,30 @@ MIEN_FIELD_SIGNED_DISTANCE_MM = 1
 MIEN_FIELD_DISTANCE_MM = 2
 MIEN_FIELD_POSITIVE_VOLUME_MM3 = 3
 MIEN_FIELD_NEGATIVE_VOLUME_MM3 = 4
+MIEN_CARRY_CLOSEST_POINT = 1
+MIEN_CARRY_DIRECTION = 2
+MIEN_CARRY_VERTEX_NORMAL = 3
+MIEN_PLS_NIPALS = 0
+MIEN_PLS_SIMPLS = 1
+MIEN_MASS_MIXED_VORONOI = 0
+MIEN_MASS_BARYCENTRIC = 1
+MIEN_MASS_NONE = 2
+MIEN_COTANGENTS_INTRINSIC_DELAUNAY = 0
+MIEN_COTANGENTS_CLAMP = 1
+MIEN_COTANGENTS_KEEP = 2
+MIEN_METRIC_L1 = 1
+MIEN_METRIC_L2 = 2
+MIEN_METRIC_HAUSDORFF = 3
+MIEN_METRIC_DAME = 4
+MIEN_METRIC_FMPD = 5
+MIEN_FEATURES_EUCLIDEAN = 1
+MIEN_FEATURES_EUCLIDEAN_STANDARDISED = 2
+MIEN_FEATURES_EUCLIDEAN_NORMALISED = 3
+MIEN_FEATURES_DEFORMATION = 4
+MIEN_FEATURES_DEFORMATION_NORMALISED = 5
+MIEN_FEATURES_DEFORMATION_STANDARDISED = 6
+MIEN_MAP_DOWN = 1
+MIEN_MAP_UP = 2
 MIEN_ABI_VERSION = 0
 
 
@@ -152,6 +178,16 @@ class Zone(ctypes.Structure):
     ]
 
 
+class LandmarkObservation(ctypes.Structure):
+    _fields_ = [
+        ("name", ctypes.c_char_p),
+        ("vertex", ctypes.c_uint32),
+        ("reserved", ctypes.c_uint32),
+        ("position", ctypes.c_double * 3),
+        ("noise_mm", ctypes.c_double),
+    ]
+
+
 class ModelOptions(ctypes.Structure):
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
@@ -180,6 +216,26 @@ class ModelOptions(ctypes.Structure):
         ("landmark_count", ctypes.c_uint64),
         ("zones", ctypes.POINTER(Zone)),
         ("zone_count", ctypes.c_uint64),
+        ("progress", ProgressFn),
+        ("progress_user", ctypes.c_void_p),
+        ("cancel", ctypes.c_void_p),
+    ]
+
+
+class TuneOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("kernel", ctypes.c_int32),
+        ("sigmas_mm", ctypes.c_void_p),
+        ("sigma_count", ctypes.c_uint64),
+        ("scale_mm", ctypes.c_double),
+        ("nu", ctypes.c_double),
+        ("rho", ctypes.c_double),
+        ("levels", ctypes.c_int32),
+        ("num_modes", ctypes.c_int32),
+        ("expressions", ctypes.POINTER(ctypes.c_char_p)),
+        ("expression_count", ctypes.c_uint32),
+        ("max_subjects", ctypes.c_int32),
         ("progress", ProgressFn),
         ("progress_user", ctypes.c_void_p),
         ("cancel", ctypes.c_void_p),
@@ -277,6 +333,35 @@ class NeutralizeOptions(ctypes.Structure):
     ]
 
 
+class ShardOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("part", ctypes.c_int32),
+        ("part_count", ctypes.c_int32),
+        ("max_rank", ctypes.c_int32),
+        ("progress", ProgressFn),
+        ("progress_user", ctypes.c_void_p),
+        ("cancel", ctypes.c_void_p),
+    ]
+
+
+class SeriesOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("method", ctypes.c_int32),
+        ("pose", ctypes.c_int32),
+        ("reserved", ctypes.c_uint32),
+        ("scan_noise_share", ctypes.c_double),
+        ("noise_mm2", ctypes.c_double),
+        ("changing_vertices", ctypes.c_void_p),
+        ("changing_count", ctypes.c_uint64),
+        ("expected_change_mm", ctypes.c_double),
+        ("progress", ProgressFn),
+        ("progress_user", ctypes.c_void_p),
+        ("cancel", ctypes.c_void_p),
+    ]
+
+
 class EvaluateOptions(ctypes.Structure):
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
@@ -357,6 +442,87 @@ class ZoneDistance(ctypes.Structure):
     ]
 
 
+class ZoneAlignment(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("reserved", ctypes.c_uint32),
+        ("pairs", ctypes.c_uint64),
+        ("rms_mm", ctypes.c_double),
+        ("rotation_sd_rad", ctypes.c_double),
+        ("translation_sd_mm", ctypes.c_double),
+        ("centre", ctypes.c_double * 3),
+        ("matrix", ctypes.c_double * 16),
+    ]
+
+
+class ScoreOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("method", ctypes.c_int32),
+        ("num_components", ctypes.c_int32),
+        ("max_components", ctypes.c_int32),
+        ("folds", ctypes.c_int32),
+        ("reserved", ctypes.c_uint32),
+        ("seed", ctypes.c_uint64),
+        ("curvature_share", ctypes.c_double),
+        ("curvature_radius_mm", ctypes.c_double),
+        ("lowest", ctypes.c_double),
+        ("highest", ctypes.c_double),
+        ("zone_vertices", ctypes.c_void_p),
+        ("zone_count", ctypes.c_uint64),
+        ("stable_vertices", ctypes.c_void_p),
+        ("stable_count", ctypes.c_uint64),
+        ("progress", ProgressFn),
+        ("progress_user", ctypes.c_void_p),
+        ("cancel", ctypes.c_void_p),
+    ]
+
+
+class ScorePrediction(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("extrapolates", ctypes.c_int32),
+        ("score", ctypes.c_double),
+        ("low95", ctypes.c_double),
+        ("high95", ctypes.c_double),
+        ("leverage", ctypes.c_double),
+    ]
+
+
+class SpectralBasisOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("mode_count", ctypes.c_uint32),
+        ("mass", ctypes.c_int32),
+        ("cotangents", ctypes.c_int32),
+        ("progress", ProgressFn),
+        ("progress_user", ctypes.c_void_p),
+        ("cancel", ctypes.c_void_p),
+    ]
+
+
+class BlendshapeOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("reserved", ctypes.c_uint32),
+        ("ridge", ctypes.c_double),
+        ("progress", ProgressFn),
+        ("progress_user", ctypes.c_void_p),
+        ("cancel", ctypes.c_void_p),
+    ]
+
+
+class BandChoice(ctypes.Structure):
+    _fields_ = [
+        ("k", ctypes.c_uint64),
+        ("l1_mm", ctypes.c_double),
+        ("dame", ctypes.c_double),
+        ("fmpd", ctypes.c_double),
+        ("on_front", ctypes.c_int32),
+        ("chosen", ctypes.c_int32),
+    ]
+
+
 SIGNATURES = {
     "mien_status_name": (ctypes.c_char_p, [ctypes.c_int32]),
     "mien_version_number": (ctypes.c_uint32, []),
@@ -391,6 +557,13 @@ SIGNATURES = {
     "mien_model_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
     "mien_model_get_counts": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
     "mien_model_get_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_model_get_variance": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_model_sample": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_uint64, ctypes.c_double, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_model_condition": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(LandmarkObservation), ctypes.c_uint64, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_tune_options_init": (None, [ctypes.POINTER(TuneOptions), ctypes.c_size_t]),
+    "mien_model_tune": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(TuneOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_tuning_get_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_tuning_release": (None, [ctypes.c_void_p]),
     "mien_model_mesh": (ctypes.c_void_p, [ctypes.c_void_p]),
     "mien_model_retain": (None, [ctypes.c_void_p]),
     "mien_model_release": (None, [ctypes.c_void_p]),
@@ -404,10 +577,16 @@ SIGNATURES = {
     "mien_registration_get_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
     "mien_registration_retain": (None, [ctypes.c_void_p]),
     "mien_registration_release": (None, [ctypes.c_void_p]),
+    "mien_surface_transfer_points": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ArrayView), ctypes.c_double, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_surface_transfer_zone": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_double, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_surface_transfer_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int32, ctypes.c_double, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
     "mien_train_options_init": (None, [ctypes.POINTER(TrainOptions), ctypes.c_size_t]),
     "mien_neutralize_options_init": (None, [ctypes.POINTER(NeutralizeOptions), ctypes.c_size_t]),
     "mien_evaluate_options_init": (None, [ctypes.POINTER(EvaluateOptions), ctypes.c_size_t]),
     "mien_expression_model_train": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(TrainOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_shard_options_init": (None, [ctypes.POINTER(ShardOptions), ctypes.c_size_t]),
+    "mien_expression_shard_create": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ShardOptions), ctypes.c_char_p, ctypes.POINTER(Error)]),
+    "mien_expression_model_merge": (ctypes.c_int32, [ctypes.c_void_p, ctypes.POINTER(ctypes.c_char_p), ctypes.c_uint32, ctypes.POINTER(TrainOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_expression_model_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_expression_model_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
     "mien_expression_model_retain": (None, [ctypes.c_void_p]),
@@ -418,6 +597,10 @@ SIGNATURES = {
     "mien_expression_model_sample": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_neutralize": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(NeutralizeOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_neutralize_mesh": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(NeutralizeOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_series_options_init": (None, [ctypes.POINTER(SeriesOptions), ctypes.c_size_t]),
+    "mien_neutralize_series": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.c_uint32, ctypes.POINTER(SeriesOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_series_get_mesh": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_series_release": (None, [ctypes.c_void_p]),
     "mien_neutralization_apply_to_scan": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_double, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_expression_model_transfer": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_evaluate_neutralization": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(EvaluateOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
@@ -434,10 +617,65 @@ SIGNATURES = {
     "mien_measure_surface_distance": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(MeasureOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_measure_closed_volume": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.POINTER(Error)]),
     "mien_measure_area": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(MeasureZone), ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_measure_scan_volume": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.POINTER(MeasureOptions), ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_measure_align": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(MeasureZone), ctypes.POINTER(ZoneAlignment), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_measurement_get_zones": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
     "mien_measurement_get_volume": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.POINTER(ZoneVolume), ctypes.POINTER(Error)]),
     "mien_measurement_get_distance": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.POINTER(ZoneDistance), ctypes.POINTER(Error)]),
     "mien_measurement_get_field": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
     "mien_measurement_get_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
     "mien_measurement_release": (None, [ctypes.c_void_p]),
+    "mien_score_options_init": (None, [ctypes.POINTER(ScoreOptions), ctypes.c_size_t]),
+    "mien_score_model_train": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.POINTER(ScoreOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_score_model_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_score_model_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
+    "mien_score_model_predict": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ScorePrediction), ctypes.POINTER(Error)]),
+    "mien_score_model_simulate": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_double, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_score_model_get_latent": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_score_model_get_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_score_model_retain": (None, [ctypes.c_void_p]),
+    "mien_score_model_release": (None, [ctypes.c_void_p]),
+    "mien_statistics_agreement": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_uint32, ctypes.c_int32, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_statistics_repeatability": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_statistics_bland_altman": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_spectral_basis_options_init": (None, [ctypes.POINTER(SpectralBasisOptions), ctypes.c_size_t]),
+    "mien_spectral_basis_build": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(SpectralBasisOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_spectral_basis_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_spectral_basis_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
+    "mien_spectral_basis_get_counts": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_spectral_basis_get_eigenvalues": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_spectral_basis_retain": (None, [ctypes.c_void_p]),
+    "mien_spectral_basis_release": (None, [ctypes.c_void_p]),
+    "mien_spectral_split": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_spectral_assemble": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_spectral_edit": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_spectral_mix": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_metric": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_representation_train": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.c_int32, ctypes.c_int32, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_representation_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_representation_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
+    "mien_representation_get_counts": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_representation_encode": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_representation_decode": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_representation_retain": (None, [ctypes.c_void_p]),
+    "mien_representation_release": (None, [ctypes.c_void_p]),
+    "mien_hierarchy_build_quadric": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint32, ctypes.c_double, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_hierarchy_build_connectivity": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint32, ctypes.c_uint32, ctypes.c_uint32, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_hierarchy_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_hierarchy_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
+    "mien_hierarchy_get_level_count": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_hierarchy_get_level": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_uint32, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_hierarchy_apply": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_uint32, ctypes.c_int32, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_hierarchy_retain": (None, [ctypes.c_void_p]),
+    "mien_hierarchy_release": (None, [ctypes.c_void_p]),
+    "mien_transfer_expression": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_blendshape_options_init": (None, [ctypes.POINTER(BlendshapeOptions), ctypes.c_size_t]),
+    "mien_blendshape_model_train": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.c_char_p, ctypes.POINTER(BlendshapeOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_blendshape_model_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_blendshape_model_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
+    "mien_blendshape_model_get_mean": (ctypes.c_int32, [ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_blendshape_model_predict": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_blendshape_model_search": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.c_char_p, ctypes.c_void_p, ctypes.c_uint32, ctypes.POINTER(BlendshapeOptions), ctypes.POINTER(BandChoice), ctypes.POINTER(Error)]),
+    "mien_blendshape_model_retain": (None, [ctypes.c_void_p]),
+    "mien_blendshape_model_release": (None, [ctypes.c_void_p]),
 }

@@ -1,0 +1,138 @@
+#!/usr/bin/env python3
+"""The main job from every host on the same demo scan: all must give the same vertices to the bit.
+
+  same_bits.py PROJECT_DIR BUILD_DIR WORK_DIR LIBRARY
+
+Makes a small study and two models with the project's own commands, then runs C, C++, Python, C# and
+Java in memory, and the command through files. Hosts whose tools are missing are skipped by name.
+"""
+import hashlib
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+project, build, work, library = (Path(a).resolve() for a in sys.argv[1:5])
+work.mkdir(parents=True, exist_ok=True)
+environment = dict(os.environ, MIEN_LIBRARY=str(library), PYTHONPATH=str(project / "examples/python"),
+                   PYTHONDONTWRITEBYTECODE="1", LD_LIBRARY_PATH=str(library.parent))
+failed, skipped = [], []
+
+
+def run(*command, quiet=False):
+    result = subprocess.run([str(c) for c in command], env=environment, cwd=work, capture_output=True, text=True)
+    if result.returncode != 0:
+        raise RuntimeError(f"{' '.join(str(c) for c in command)}\n{result.stdout}{result.stderr}")
+    return result.stdout
+
+
+def vertices_of(path):
+    """The vertex coordinates of a binary PLY file, as the bytes of #V x 3 float32."""
+    data = path.read_bytes()
+    end = data.index(b"end_header\n") + len(b"end_header\n")
+    header = data[:end].decode()
+    count = int(re.search(r"element vertex (\d+)", header).group(1))
+    block = header.split("element vertex")[1].split("element")[0]
+    sizes = {"float": 4, "float32": 4, "uchar": 1, "uint8": 1, "int": 4, "double": 8}
+    properties = re.findall(r"property (\w+) (\w+)", block)
+    assert [p for _, p in properties[:3]] == ["x", "y", "z"] and properties[0][0].startswith("float"), header
+    row = sum(sizes[kind] for kind, _ in properties)
+    return b"".join(data[end + i * row:end + i * row + 12] for i in range(count))
+
+
+def digest(path):
+    return hashlib.sha256(vertices_of(path)).hexdigest()
+
+
+def python_with_numpy():
+    for python in (sys.executable, "/usr/bin/python3"):
+        if subprocess.run([python, "-c", "import numpy"], capture_output=True).returncode == 0:
+            return python
+    return None
+
+
+def host(name, in_memory, command, neutral):
+    """Runs one host, and compares what it saved with what it says."""
+    try:
+        text = run(*command)
+    except RuntimeError as failure:
+        failed.append(f"{name}: {failure}")
+        return
+    in_memory[name] = digest(neutral)
+    said = re.search(r"neutral ([0-9a-f]{64})", text)
+    if said and said.group(1) != in_memory[name]:
+        failed.append(f"{name}: prints another hash than that of the file it wrote")
+
+
+def main():
+    demo, face, expressions = work / "demo", work / "face.safetensors", work / "expressions.safetensors"
+    mien = build / "bin/mien"
+    if not expressions.exists():
+        run(build / "bin/mien-demo-data", "--out", demo, "--subjects", "4", "--test-subjects", "1")
+        run(mien, "model", "build", "--template", demo / "template.ply", "--kernel", "geodesic-se", "--sigma", "20",
+            "--modes", "99", "--landmarks", demo / "landmarks.json", "--zones", demo / "zones.json", "--out", face)
+        run(mien, "train", "--data", demo / "train.safetensors", "--method", "jpca", "--identity-modes", "3",
+            "--expression-modes", "5", "--out", expressions)
+    scan = demo / "scan/scan_grin.ply"
+    models = [face, expressions, scan]
+
+    in_memory = {}
+    host("C", in_memory, [build / "bin/mien-first-program", *models, work / "c.ply"], work / "c.ply")
+    host("C++", in_memory, [build / "bin/mien-main-job", *models, work / "cpp_fitted.ply", work / "cpp.ply", work / "cpp_file.ply"],
+         work / "cpp.ply")
+
+    python = python_with_numpy()
+    if python:
+        host("Python", in_memory, [python, project / "examples/python/main_job.py", *models, work / "py_fitted.ply", work / "py.ply"],
+             work / "py.ply")
+    else:
+        skipped.append("Python: no numpy (Debian package python3-numpy)")
+
+    if shutil.which("mcs") and shutil.which("mono"):
+        program = work / "main_job.exe"
+        run("mcs", "-langversion:7", "-unsafe", "-warnaserror", f"-out:{program}", *sorted((project / "examples/csharp").glob("*.cs")))
+        print("C#:", run("mono", program, "--self-test", project / "abi/layout/x86_64.txt").strip())
+        host("C#", in_memory, ["mono", program, *models, work / "cs_fitted.ply", work / "cs.ply"], work / "cs.ply")
+    else:
+        skipped.append("C#: no mono (Debian packages mono-mcs, mono-runtime, libmono-system-core4.0-cil)")
+
+    if shutil.which("javac") and shutil.which("java"):
+        home = Path(shutil.which("javac")).resolve().parent.parent
+        classes, jni = work / "classes", work / "libmien_jni.so"
+        run("cc", "-std=c99", "-O1", "-Wall", "-Wextra", "-Werror", "-pedantic", "-shared", "-fPIC", f"-I{home}/include",
+            f"-I{home}/include/linux", f"-I{project}/include", project / "examples/java/mien_jni.c", "-o", jni,
+            f"-L{library.parent}", "-lmien")
+        sources = [*sorted((project / "examples/java").glob("*.java")), *sorted((project / "examples/java/mien").glob("*.java"))]
+        run("javac", "-Xlint:all", "-Werror", "-d", classes, *sources)
+        java = ["java", "-Xcheck:jni", f"-Dmien.jni={jni}", "-cp", classes, "MainJob"]
+        said = run(*java, "--self-test")
+        print("Java:", said.strip().splitlines()[-1])
+        if "WARNING" in said or "FATAL" in said:
+            failed.append("Java: -Xcheck:jni complains:\n" + said)
+        host("Java", in_memory, [*java, *models, work / "java_fitted.ply", work / "java.ply"], work / "java.ply")
+    else:
+        skipped.append("Java: no JDK (Debian package openjdk-17-jdk-headless)")
+
+    # The command keeps the fitted face in a file between its two steps.
+    run(mien, "register", "--model", face, "--scan", scan, "--out", work / "cli_fitted.ply")
+    run(mien, "neutralize", "--model", expressions, "--in", work / "cli_fitted.ply", "--out", work / "cli.ply")
+    from_file = {"C++ through a file": digest(work / "cpp_file.ply"), "command": digest(work / "cli.ply")}
+    fitted = {"C++": digest(work / "cpp_fitted.ply"), "command": digest(work / "cli_fitted.ply")}
+
+    for title, hashes in (("neutral face, in memory", in_memory), ("fitted face", fitted), ("neutral face, through a file", from_file)):
+        print(title)
+        for name, value in hashes.items():
+            print(f"  {name:20} {value}")
+        if len(set(hashes.values())) > 1:
+            failed.append(f"{title}: the hosts differ")
+    for line in skipped:
+        print("skipped:", line)
+    print("\n".join(failed) if failed else "all hosts agree to the bit")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
