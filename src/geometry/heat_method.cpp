@@ -344,18 +344,22 @@ void HeatGeodesics::distances(const std::vector<std::uint32_t>& sources,
     parallel_for(context, sources.size(), kW, [&](std::size_t begin, std::size_t end) {
         State::Scratch scratch;
         s.block(&sources[begin], static_cast<int>(end - begin), scratch);
-        for (std::size_t i = begin; i < end; ++i) {
-            const std::size_t c = i - begin;
-            const double at_source =
-                scratch.right[static_cast<std::size_t>(s.place[sources[i]]) * kW + c];
-            const int component = s.component[sources[i]];
-            for (std::size_t v = 0; v < s.place.size(); ++v) {
-                const double raw =
-                    scratch.right[static_cast<std::size_t>(s.place[v]) * kW + c] - at_source;
-                out(static_cast<Index>(v), static_cast<Index>(i)) =
-                    s.component[v] == component ? static_cast<float>(std::max(raw, 0.0))
-                                                : std::numeric_limits<float>::infinity();
-            }
+        const std::size_t count = end - begin;
+        double at_source[kW] = {};
+        int component[kW] = {};
+        float* column[kW] = {};
+        for (std::size_t c = 0; c < count; ++c) {
+            const std::uint32_t source = sources[begin + c];
+            at_source[c] = scratch.right[static_cast<std::size_t>(s.place[source]) * kW + c];
+            component[c] = s.component[source];
+            column[c] = out.col(static_cast<Index>(begin + c)).data();
+        }
+        for (std::size_t v = 0; v < s.place.size(); ++v) {
+            const double* row = &scratch.right[static_cast<std::size_t>(s.place[v]) * kW];
+            for (std::size_t c = 0; c < count; ++c)
+                column[c][v] = s.component[v] == component[c]
+                                   ? static_cast<float>(std::max(row[c] - at_source[c], 0.0))
+                                   : std::numeric_limits<float>::infinity();
         }
     });
 }
