@@ -130,11 +130,24 @@ void run_train(const TrainSettings& settings) {
 
 struct NeutralizeSettings {
     Common common;
-    std::string model, in, out, fit = "mixture", pose = "auto", scan, scan_out, uncertainty_out, identity_out;
+    std::string model, in, out, fit = "mixture", pose = "auto", scan, scan_out, uncertainty_out, identity_out, weights;
     std::vector<std::string> with;
     int sweeps = 200;
     double max_distance = 0;
 };
+
+/// {"weight": [...]} as `mien register --json` writes it, or a plain list: one weight per vertex.
+std::vector<double> read_weights(const std::string& path) {
+    const nlohmann::json file = read_json(path);
+    const nlohmann::json& list = file.is_object() && file.contains("weight") ? file["weight"] : file;
+    if (!list.is_array()) throw std::runtime_error(path + ": expected [w, ...] or {\"weight\": [w, ...]}");
+    std::vector<double> weights;
+    for (const nlohmann::json& value : list) {
+        if (!value.is_number()) throw std::runtime_error(path + ": " + value.dump() + " is not a weight");
+        weights.push_back(value.get<double>());
+    }
+    return weights;
+}
 
 /// Several scans of one person: the neutral face of the first, and the shared one.
 void run_series(const NeutralizeSettings& settings) {
@@ -167,6 +180,11 @@ void run_neutralize(const NeutralizeSettings& settings) {
     options.max_sweeps = settings.sweeps;
     const bool has_prior = options.method == MIEN_FIT_MIXTURE || options.method == MIEN_FIT_MAP;
     options.uncertainty = has_prior;
+    std::vector<double> weights;
+    if (!settings.weights.empty()) {
+        weights = read_weights(settings.weights);
+        options.set_weights(weights);
+    }
     const Neutralization result(session, model, face, options, progress_bar());
     result.mesh().save(session, settings.out);
     nlohmann::json report = nlohmann::json::parse(result.json());
@@ -175,6 +193,8 @@ void run_neutralize(const NeutralizeSettings& settings) {
     std::printf("moved %.3f mm on average, %.3f mm at most\n",
                 report["mean_displacement_mm"].get<double>(),
                 report["max_displacement_mm"].get<double>());
+    for (const nlohmann::json& warning : report["warnings"])
+        std::printf("note: %s\n", warning.get<std::string>().c_str());
     if (!settings.uncertainty_out.empty()) {
         std::string text;
         char line[32];
@@ -317,6 +337,9 @@ void add_neutralize(CLI::App& app) {
     neutralize->add_option("--pose", settings->pose, "where the face lies against the training faces")
         ->check(one_of(kPoses))
         ->capture_default_str();
+    neutralize->add_option("--weights", settings->weights,
+                           "registration report (mien register --json) or a list: how much each vertex counts")
+        ->check(CLI::ExistingFile);
     neutralize->add_option("--scan", settings->scan, "the scan that the face was fitted to")
         ->check(CLI::ExistingFile);
     neutralize->add_option("--scan-out", settings->scan_out, "the scan, neutralized");

@@ -69,6 +69,8 @@ void finish_expression_model(ExpressionModel& model) {
                  static_cast<long long>(n));
     check_positive(model.identity_deviations, "identity deviation");
     check_positive(model.expression_deviations, "expression deviation");
+    if (!(model.expected_residual_mm >= 0.0) || !std::isfinite(model.expected_residual_mm))
+        fail(Status::corrupt, "the expression model's expected residual is damaged");
     check_positive(Vector::Constant(1, model.map_noise_mm2), "map noise");
     check_positive(Vector::Constant(1, model.mixture_noise_mm2), "mixture noise");
     if (!model.gram.allFinite() || !model.mean.allFinite())
@@ -126,6 +128,7 @@ std::shared_ptr<const ExpressionModel> load_expression_model(const std::string& 
     const TensorView& gram = read_tensor(file, "gram", DType::f64, {p + q, p + q});
     model->gram = Eigen::Map<const Matrix>(static_cast<const double*>(gram.data), p + q, p + q);
 
+    if (file.has("expected_residual_mm")) model->expected_residual_mm = vector("expected_residual_mm", 1)[0];
     if (file.has("stable_vertices")) {
         const TensorView& view = read_tensor(file, "stable_vertices", DType::u32, {-1});
         const auto* first = static_cast<const std::uint32_t*>(view.data);
@@ -188,6 +191,7 @@ void save_expression_model(const std::string& path, const ExpressionModel& model
          {"identity_deviations", DType::f64, {p}, model.identity_deviations.data()},
          {"expression_deviations", DType::f64, {q}, model.expression_deviations.data()},
          {"noise_mm2", DType::f64, {2}, noise.data()},
+         {"expected_residual_mm", DType::f64, {1}, &model.expected_residual_mm},
          {"gram", DType::f64, {p + q, p + q}, model.gram.data()},
          {"component_weights", DType::f64, {count}, weights.data()},
          {"component_means", DType::f64, {count, q}, means.data()},

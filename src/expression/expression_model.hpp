@@ -48,6 +48,9 @@ struct ExpressionModel {
     /// Variance of one coordinate of what the modes do not explain, as the fits use it, mm^2. Larger
     /// than the plain residual, since that residual is smooth over the face (noise.hpp).
     double map_noise_mm2 = 30.0, mixture_noise_mm2 = 100.0;
+    /// Distance from the fitted model per vertex, root mean square, that 95 % of new people's faces stay
+    /// under, mm; 0: not known. A face farther off was measured worse than the training faces.
+    double expected_residual_mm = 0.0;
     /// Vertices that every face is rigidly aligned on before it is fitted (posture); may be empty.
     std::vector<std::uint32_t> stable_vertices;
     std::vector<std::string> expression_names;  ///< of the training set

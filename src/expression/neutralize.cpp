@@ -69,6 +69,7 @@ Points synthesize_face(const Context& context, const ExpressionModel& model, con
 namespace {
 
 constexpr int kPoseRounds = 8;
+constexpr double kMaxNoiseFactor = 100.0;  ///< for faces that were measured worse than the training's
 
 Similarity align_weighted(const PointsRef& from, const PointsRef& to, const Vector& weights) {
     if (weights.size() == 0) return align_points(from, to, weights, false);
@@ -105,7 +106,17 @@ struct PlacedFit {
     Similarity to_model;
     FitResult fit;
     double residual_rms_mm = 0;  ///< distance of the face from the fitted model per vertex
+    double noise_mm2 = 0;        ///< of the fit; 0 for fits without a prior
 };
+
+/// || v - mean - B c || per vertex from the small matrices alone.
+double residual_of(const FitResult& fit, const Matrix& gram, const Vector& projection, double energy,
+                   double total) {
+    Vector coordinates(fit.identity.size() + fit.expression.size());
+    coordinates << fit.identity, fit.expression;
+    const double rest = energy + coordinates.dot(gram * coordinates - 2.0 * projection);
+    return total > 0.0 ? std::sqrt(std::max(0.0, rest) / total) : 0.0;
+}
 
 PlacedFit fit_placed(const Context& context, const ExpressionModel& model, const PointsRef& vertices,
                      const Vector& weights, const FitOptions& options, const Similarity& to_model) {
@@ -115,7 +126,6 @@ PlacedFit fit_placed(const Context& context, const ExpressionModel& model, const
     const FaceEvidence evidence = gather_evidence(context, model, moved, weights);
     placed.fit = fit_face(model, evidence, options);
 
-    // || v - mean - B c ||^2 in the weighted norm from the small matrices alone.
     double energy = 0.0, total = 0.0;
     for (Index i = 0; i < model.num_vertices(); ++i) {
         const double weight = weights.size() != 0 ? weights[i] : 1.0;
@@ -123,11 +133,25 @@ PlacedFit fit_placed(const Context& context, const ExpressionModel& model, const
         energy += weight * (moved.row(i) - model.mean.row(i)).squaredNorm();
         total += weight;
     }
-    Vector coordinates(placed.fit.identity.size() + placed.fit.expression.size());
-    coordinates << placed.fit.identity, placed.fit.expression;
     const Matrix& gram = evidence.gram.size() != 0 ? evidence.gram : model.gram;
-    energy += coordinates.dot(gram * coordinates - 2.0 * evidence.projection);
-    placed.residual_rms_mm = total > 0.0 ? std::sqrt(std::max(0.0, energy) / total) : 0.0;
+    placed.residual_rms_mm = residual_of(placed.fit, gram, evidence.projection, energy, total);
+    if (options.method != FitMethod::mixture && options.method != FitMethod::map) return placed;
+
+    placed.noise_mm2 = options.noise_mm2 > 0.0 ? options.noise_mm2
+                       : options.method == FitMethod::mixture ? model.mixture_noise_mm2
+                                                              : model.map_noise_mm2;
+    const double excess = model.expected_residual_mm > 0.0
+                              ? placed.residual_rms_mm / model.expected_residual_mm
+                              : 0.0;
+    if (options.noise_mm2 > 0.0 || excess <= 1.0) return placed;
+    // A face that was measured worse than the training faces: trust it less, or its errors become an
+    // expression. The modes absorb the larger part of a smooth error, so that the noise has to grow
+    // faster than the square of the part that is left to see.
+    FitOptions careful = options;
+    careful.noise_mm2 = placed.noise_mm2 * std::min(kMaxNoiseFactor, excess * excess * excess * excess);
+    placed.fit = fit_face(model, evidence, careful);
+    placed.noise_mm2 = careful.noise_mm2;
+    placed.residual_rms_mm = residual_of(placed.fit, gram, evidence.projection, energy, total);
     return placed;
 }
 
@@ -203,6 +227,7 @@ NeutralizationResult neutralize(const Context& context, const ExpressionModel& m
         result.uncertainty_mm = expression_uncertainty(context, model, fit.expression_covariance);
 
     result.residual_rms_mm = placed.residual_rms_mm;
+    result.noise_mm2 = placed.noise_mm2;
     result.identity = std::move(fit.identity);
     result.expression = std::move(fit.expression);
     result.component_probabilities = std::move(fit.component_probabilities);

@@ -36,6 +36,8 @@ struct NeutralizationResult {
     double mean_displacement_mm = 0, max_displacement_mm = 0;
     Similarity pose;                  ///< training frame -> frame of the face
     double residual_rms_mm = 0;       ///< distance of the face from the fitted model per vertex
+    double noise_mm2 = 0;             ///< noise variance that was used; above the model's for faces that were
+                                      ///< measured worse than the training faces; 0 without a prior
     int sweeps = 0;
     bool converged = true;
 };

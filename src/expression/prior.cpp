@@ -102,6 +102,8 @@ std::vector<ExpressionComponent> expression_components(const Matrix& coordinates
         components.push_back(std::move(component));
     }
     components.push_back({"any", 1.0, Vector::Zero(q), total});
+    // As likely as all others together: where the data do not tell, a face stays as it is.
+    components.front().weight = static_cast<double>(components.size() - 1);
     return components;
 }
 
@@ -194,6 +196,7 @@ NoiseLevels estimate_noise(const Context& context, const ColumnSource& source,
 
     struct Scores {
         double map = 0, mixture = 0;
+        std::vector<double> residuals;
     };
     std::vector<Scores> scores(folds.size() * kNumNoises);
     const double vertices = static_cast<double>(source.num_vertices);
@@ -204,14 +207,19 @@ NoiseLevels estimate_noise(const Context& context, const ColumnSource& source,
         for (Index k = 0; k < fold.faces.cols(); ++k) {
             FaceEvidence evidence;
             evidence.projection = fold.modes.transpose() * fold.faces.col(k);
-            auto error = [&](FitMethod method) {
-                FitOptions fit;
-                fit.method = method;
-                const Vector moved = expression_modes * fit_face(model, evidence, fit).expression;
+            auto error = [&](const FitResult& result) {
+                const Vector moved = expression_modes * result.expression;
                 return std::sqrt((moved - fold.truths.col(k)).squaredNorm() / vertices);
             };
-            scores[begin].map += error(FitMethod::map);
-            scores[begin].mixture += error(FitMethod::mixture);
+            FitOptions options_map, options_mixture;
+            options_map.method = FitMethod::map;
+            const FitResult mixture = fit_face(model, evidence, options_mixture);
+            scores[begin].map += error(fit_face(model, evidence, options_map));
+            scores[begin].mixture += error(mixture);
+            Vector coordinates(mixture.identity.size() + mixture.expression.size());
+            coordinates << mixture.identity, mixture.expression;
+            scores[begin].residuals.push_back(
+                (fold.faces.col(k) - fold.modes * coordinates).squaredNorm() / vertices);
         }
         scores[begin].map /= static_cast<double>(fold.faces.cols());
         scores[begin].mixture /= static_cast<double>(fold.faces.cols());
@@ -223,6 +231,8 @@ NoiseLevels estimate_noise(const Context& context, const ColumnSource& source,
             mean.map += scores[fold * kNumNoises + noise].map / static_cast<double>(folds.size());
             mean.mixture +=
                 scores[fold * kNumNoises + noise].mixture / static_cast<double>(folds.size());
+            const std::vector<double>& own = scores[fold * kNumNoises + noise].residuals;
+            mean.residuals.insert(mean.residuals.end(), own.begin(), own.end());
         }
         context.log(LogLevel::debug, "noise %g mm2: cross-validated error map %.4f mixture %.4f mm",
                     kNoiseGrid[noise], mean.map, mean.mixture);
@@ -233,6 +243,12 @@ NoiseLevels estimate_noise(const Context& context, const ColumnSource& source,
         if (mean.mixture < levels.mixture_error_mm) {
             levels.mixture_error_mm = mean.mixture;
             levels.mixture_mm2 = kNoiseGrid[noise];
+            // What the span cut off belongs to the residual too.
+            const double cut = span.neutral_energy_cut / static_cast<double>(m) +
+                               span.displacement_energy_cut / static_cast<double>(s);
+            std::sort(mean.residuals.begin(), mean.residuals.end());
+            const std::size_t place = mean.residuals.size() * 95 / 100;
+            levels.residual_mm = std::sqrt(mean.residuals[place] + cut / vertices);
         }
     }
     return levels;

@@ -79,6 +79,7 @@ void add_model(JsonObject& json, const ExpressionModel& model) {
         .integer("expression_modes", model.num_expression_modes())
         .number("map_noise_mm2", model.map_noise_mm2)
         .number("mixture_noise_mm2", model.mixture_noise_mm2)
+        .number("expected_residual_mm", model.expected_residual_mm)
         .raw("expressions", json_string_list(model.expression_names));
     std::vector<std::string> names;
     for (const ExpressionComponent& component : model.components) names.push_back(component.name);
@@ -189,8 +190,21 @@ std::string neutralization_json(const ExpressionModel& model, const Neutralizati
     json.number("mean_displacement_mm", result.mean_displacement_mm)
         .number("max_displacement_mm", result.max_displacement_mm)
         .number("residual_rms_mm", result.residual_rms_mm)
+        .number("expected_residual_mm", model.expected_residual_mm)
+        .number("noise_mm2", result.noise_mm2)
         .integer("sweeps", result.sweeps)
         .boolean("converged", result.converged);
+    std::vector<std::string> warnings;
+    if (model.expected_residual_mm > 0.0 &&
+        result.residual_rms_mm > 1.5 * model.expected_residual_mm)
+        warnings.push_back(
+            "the face lies farther from the model than faces of new people do: it was fitted badly, or is "
+            "unlike the training faces");
+    if (!result.component_probabilities.empty() && !model.components.empty() &&
+        model.components.back().name == "any" && result.component_probabilities.back() > 0.5)
+        warnings.push_back("the expression is none of the trained ones");
+    if (!result.converged) warnings.push_back("the alternating fit has not converged");
+    json.raw("warnings", json_string_list(warnings));
     if (!result.component_probabilities.empty()) {
         JsonObject expressions;
         std::size_t best = 0;

@@ -25,7 +25,9 @@ Matrix scan_weights(const std::vector<SeriesScan>& scans, Index n, const SeriesO
     for (std::size_t k = 0; k < scans.size(); ++k)
         if (scans[k].weights.size() != 0)
             weights.row(static_cast<Index>(k)) = scans[k].weights.transpose();
-    const double change = options.expected_change_mm * options.expected_change_mm;
+    // The zone's vertices change together, as a swelling does: all of them are one observation.
+    const double change = options.expected_change_mm * options.expected_change_mm *
+                          static_cast<double>(options.changing_zone.size());
     for (std::uint32_t vertex : options.changing_zone)
         weights.col(vertex) *= scan_noise / (scan_noise + change);
     return weights;
@@ -188,7 +190,12 @@ SeriesResult neutralize_series(const Context& context, const ExpressionModel& mo
             return alone.component_probabilities[a] > alone.component_probabilities[b];
         });
         order.resize(std::min<std::size_t>(order.size(), 5));
-        if (!order.empty()) chosen.push_back(order[0]);
+        if (!order.empty()) {
+            chosen.push_back(order[0]);
+            // "neutral" and "any" always come into question.
+            for (std::size_t c : {std::size_t(0), model.components.size() - 1})
+                if (std::find(order.begin(), order.end(), c) == order.end()) order.push_back(c);
+        }
         candidates.push_back(std::move(order));
         context.progress(Stage::neutralizing,
                          0.4 * static_cast<double>(k + 1) / static_cast<double>(scans.size()));

@@ -10,7 +10,8 @@
 // ascent on the joint evidence, starting from the scans' own fits.
 //
 // In a zone where the identity may change between the scans (a treated zone) the variance of e_k rises
-// by the square of the change that is expected, so that the change is not taken for an expression.
+// by the square of the change that is expected times the number of vertices (they change together), so
+// that the change is not taken for an expression.
 #pragma once
 
 #include <string>

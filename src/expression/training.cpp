@@ -97,6 +97,8 @@ std::shared_ptr<const ExpressionModel> train_expression_model(const ColumnSource
     model->mixture_noise_mm2 =
         options.mixture_noise_mm2 > 0.0 ? options.mixture_noise_mm2 : noise.mixture_mm2;
 
+    model->expected_residual_mm = noise.residual_mm;
+
     const bool quasi = options.subspaces.method == TrainMethod::quasi_orthogonal;
     model->info["method"] = quasi ? "qojpca" : "jpca";
     model->info["subjects"] = std::to_string(source.num_neutrals());

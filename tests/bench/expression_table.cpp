@@ -1,6 +1,6 @@
 // Table 4.2 of the thesis on two data sets of shared/tools/make_faces20.py, with times:
 //
-//   expression_table TRAIN TEST [--stable FILE] [--modes N] [--threads N]
+//   expression_table TRAIN TEST [--stable FILE] [--modes N] [--threads N] [--quick 1]
 //
 // FILE lists the vertex numbers of the stable zone (posture), one per line.
 //
@@ -85,10 +85,12 @@ int main(int argc, char** argv) try {
     TrainOptions base;
     EvaluationOptions evaluation;
     int threads = 2;
+    bool quick = false;  // joint PCA alone
     for (int k = 3; k + 1 < argc; k += 2) {
         if (!std::strcmp(argv[k], "--stable")) base.stable_vertices = evaluation.stable = numbers(argv[k + 1]);
         if (!std::strcmp(argv[k], "--modes"))
             base.subspaces.identity_modes = base.subspaces.expression_modes = std::atoi(argv[k + 1]);
+        if (!std::strcmp(argv[k], "--quick")) quick = std::atoi(argv[k + 1]) != 0;
         if (!std::strcmp(argv[k], "--threads")) threads = std::atoi(argv[k + 1]);
     }
     ThreadPool pool(threads);
@@ -114,6 +116,7 @@ int main(int argc, char** argv) try {
     };
     for (const Kind& kind : {Kind{"J-PCA", TrainMethod::joint_pca, 10}, Kind{"QOJPCA 1x", TrainMethod::quasi_orthogonal, 1},
                              Kind{"QOJPCA 10x", TrainMethod::quasi_orthogonal, 10}}) {
+        if (quick && kind.method != TrainMethod::joint_pca) continue;
         TrainOptions options = base;
         options.subspaces.method = kind.method;
         options.subspaces.lambda_factor = kind.factor;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "base/error.hpp"
@@ -122,6 +123,22 @@ TEST(Neutralize, UncertaintyIsLargerWhereTheFaceIsUnseen) {
     const Vector half = neutralize(Context(), model(), face, weights, options).uncertainty_mm;
     EXPECT_GT(half.mean(), 1.2 * seen.mean());
     EXPECT_GE(seen.minCoeff(), 0.0);
+}
+
+TEST(Neutralize, ABadlyMeasuredNeutralFaceIsNotGivenAnExpression) {
+    ASSERT_GT(model().expected_residual_mm, 0.0);
+    // An error that varies smoothly over the face, far above what the training faces have.
+    const Points truth = study().neutral(56);
+    Points face = truth;
+    for (Index i = 0; i < face.rows(); ++i)
+        face(i, 2) += 2.0 * std::sin(0.09 * face(i, 0)) * std::cos(0.11 * face(i, 1));
+    const NeutralizationResult careful = neutralize(Context(), model(), face, Vector(), {});
+    EXPECT_GT(careful.noise_mm2, model().mixture_noise_mm2);
+    EXPECT_LT(careful.mean_displacement_mm, 0.2 * mean_distance(face, truth));
+    EXPECT_EQ(careful.component_probabilities.size(), model().components.size());
+    EXPECT_GT(careful.component_probabilities.front(), 0.5);
+    // A face that was measured well is not treated with suspicion.
+    EXPECT_EQ(neutralize(Context(), model(), truth, Vector(), {}).noise_mm2, model().mixture_noise_mm2);
 }
 
 TEST(Neutralize, RefusesWhatDoesNotFit) {
