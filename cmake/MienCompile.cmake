@@ -26,7 +26,7 @@ endif()
 add_library(mien_flags INTERFACE)
 # The same bits from every compiler that fuses multiplications by default (abi/README.md).
 target_compile_options(mien_flags INTERFACE
-    -Wall -Wextra -Wshadow -ffp-contract=off $<$<CXX_COMPILER_ID:GNU>:-Wno-psabi>
+    -Wall -Wextra -Wshadow -ffp-contract=off $<$<CXX_COMPILER_ID:GNU>:-Wno-psabi -Wno-maybe-uninitialized>
     $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fno-gnu-unique -fpch-preprocess>)
 if(MIEN_WERROR)
     target_compile_options(mien_flags INTERFACE -Werror)

@@ -67,7 +67,7 @@ def setUpModule():
          "--landmarks", demo / "scan/landmarks.json", "--out", WORK / "fitted.ply",
          "--json", WORK / "register.json", "--heatmap", WORK / "heat.png", "--threads", "2")
     must("neutralize", "--model", WORK / "expr.safetensors", "--in", WORK / "fitted.ply",
-         "--out", WORK / "neutral.ply", "--json", WORK / "neutralize.json")
+         "--weights", WORK / "register.json", "--out", WORK / "neutral.ply", "--json", WORK / "neutralize.json")
 
 
 class MainJob(unittest.TestCase):
@@ -149,8 +149,8 @@ class OtherCommands(unittest.TestCase):
 
     def test_neutralized_scan_keeps_its_own_vertices(self):
         demo = WORK / "demo"
-        must("neutralize", "--model", WORK / "expr.safetensors", "--in", WORK / "fitted.ply", "--scan",
-             demo / "scan/scan_grin.ply", "--scan-out", WORK / "scan_neutral.ply", "--out", WORK / "neutral2.ply")
+        must("neutralize", "--model", WORK / "expr.safetensors", "--in", WORK / "fitted.ply", "--weights",
+             WORK / "register.json", "--scan", demo / "scan/scan_grin.ply", "--scan-out", WORK / "scan_neutral.ply", "--out", WORK / "neutral2.ply")
         self.assertEqual(len(ply_vertices(WORK / "scan_neutral.ply")), len(ply_vertices(demo / "scan/scan_grin.ply")))
         self.assertEqual((WORK / "neutral2.ply").read_bytes(), (WORK / "neutral.ply").read_bytes())
 
