@@ -270,6 +270,101 @@ MIEN_API void MIEN_CALL mien_registration_retain(mien_registration *registration
  */
 MIEN_API void MIEN_CALL mien_registration_release(mien_registration *registration);
 
+/** What mien_surface_transfer_json() carries over. */
+enum { MIEN_TRANSFER_LANDMARKS = 1, MIEN_TRANSFER_ZONES = 2 };
+
+/**
+ * Carries places (landmarks, points of a contour) from one surface to another in the same frame, e.g. from
+ * a fitted template to the scan under it or back: for each the nearest place on the other surface. With all
+ * outputs null and capacity 0: the count only.
+ *
+ * @param session         [in] not null.
+ * @param surface         [in] not null; where the places go; a mesh or a cloud of points, mm.
+ * @param points          [in] not null; #P x 3, F32 or F64, mm.
+ * @param max_distance_mm [in] farther places are lost (triangle 0xFFFFFFFF); 0 or below: no limit.
+ * @param triangles       [out] room for capacity triangle (cloud: vertex) numbers of `surface`, or null.
+ * @param barycentric     [out] room for capacity x 3 values, or null.
+ * @param positions       [out] room for capacity x 3 values in mm, or null; a lost place keeps where it was.
+ * @param capacity        [in] rows that each given array holds.
+ * @param count           [out] may be null; #P.
+ * @param error           [out] may be null; detail_index is the first point that is not finite.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_BUFFER_TOO_SMALL (nothing but count written),
+ *         MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY
+ * @owner  nothing
+ * @thread externally synchronized by session
+ * @cancel no
+ * @cost   O(#F log #F + #P log #F)
+ * @since  0.1
+ * @source jousse-2022 1.2, 5.2
+ */
+MIEN_API mien_status MIEN_CALL mien_surface_transfer_points(mien_session *session, const mien_mesh *surface,
+                                                            const mien_array_view *points,
+                                                            double max_distance_mm, uint32_t *triangles,
+                                                            double *barycentric, double *positions,
+                                                            uint64_t capacity, uint64_t *count,
+                                                            mien_error *error);
+
+/**
+ * Carries a zone from one surface to another in the same frame: the vertices of `to` whose nearest place on
+ * `from` lies in the zone (barycentric share of its vertices at least one half), ascending. With dst null and
+ * capacity 0: the count only, at the cost of the whole computation.
+ *
+ * @param session         [in] not null.
+ * @param from            [in] not null; with the zone's vertices.
+ * @param vertices        [in] vertex_count vertex numbers of `from`; null when vertex_count is 0.
+ * @param vertex_count    [in] length of vertices.
+ * @param to              [in] not null.
+ * @param max_distance_mm [in] farther vertices stay out; 0 or below: no limit.
+ * @param dst             [out] room for capacity vertex numbers of `to`, or null.
+ * @param capacity        [in] numbers that dst holds.
+ * @param count           [out] may be null; how many there are.
+ * @param error           [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (a fitted template without
+ *         triangles), MIEN_E_MISMATCH (a vertex that `from` does not have), MIEN_E_BUFFER_TOO_SMALL (dst
+ *         untouched, count written), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY
+ * @owner  nothing
+ * @thread externally synchronized by session
+ * @cancel no
+ * @cost   O(#F log #F + #V log #F)
+ * @since  0.1
+ * @source jousse-2022 1.2, 5.2
+ */
+MIEN_API mien_status MIEN_CALL mien_surface_transfer_zone(mien_session *session, const mien_mesh *from,
+                                                          const uint32_t *vertices, uint64_t vertex_count,
+                                                          const mien_mesh *to, double max_distance_mm,
+                                                          uint32_t *dst, uint64_t capacity, uint64_t *count,
+                                                          mien_error *error);
+
+/**
+ * A model's landmarks or zones, carried from its fitted template to a scan, as JSON text in the form of the
+ * landmark and zone files: {"points": {name: [x, y, z]}, "distances_mm": {name: d}} or {"zones": {name:
+ * [scan vertex, ...]}}. With dst null and capacity 0: the size only, at the cost of the whole computation.
+ *
+ * @param session         [in] not null.
+ * @param model           [in] not null; whose landmarks and zones are meant.
+ * @param fitted          [in] not null; the model's template after registration.
+ * @param scan            [in] not null; in the frame of fitted, mm.
+ * @param what            [in] MIEN_TRANSFER_LANDMARKS or MIEN_TRANSFER_ZONES.
+ * @param max_distance_mm [in] farther places are left out; 0 or below: no limit.
+ * @param dst             [out] room for capacity bytes, or null.
+ * @param capacity        [in] bytes that dst holds.
+ * @param count           [out] may be null; bytes with the terminating zero.
+ * @param error           [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (what), MIEN_E_MISMATCH (fitted is not of the model),
+ *         MIEN_E_BUFFER_TOO_SMALL (dst untouched, count written), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY
+ * @owner  nothing
+ * @thread externally synchronized by session
+ * @cancel no
+ * @cost   O(#F log #F + zones x #V log #F)
+ * @since  0.1
+ * @source jousse-2022 1.2, 5.2
+ */
+MIEN_API mien_status MIEN_CALL mien_surface_transfer_json(mien_session *session, const mien_model *model,
+                                                          const mien_mesh *fitted, const mien_mesh *scan,
+                                                          int32_t what, double max_distance_mm, char *dst,
+                                                          uint64_t capacity, uint64_t *count,
+                                                          mien_error *error);
+
 #ifdef __cplusplus
 }
 #endif

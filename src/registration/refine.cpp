@@ -103,7 +103,8 @@ void close_gap(const ScanSurface& scan, const Triangles& triangles, const Vertex
     context.progress(Stage::refining, 1);
 }
 
-std::vector<std::uint32_t> find_folds(const PointsRef& places, const PointsRef& rest, const Triangles& triangles) {
+std::vector<std::uint32_t> find_folds(const PointsRef& places, const PointsRef& rest, const Triangles& triangles,
+                                      double folded_below, double flat_above) {
     const auto unit = [&](const PointsRef& points) {
         Points normals = triangle_normals(points, triangles);
         for (Index t = 0; t < normals.rows(); ++t) {
@@ -126,7 +127,7 @@ std::vector<std::uint32_t> find_folds(const PointsRef& places, const PointsRef& 
     for (std::size_t k = 0; k + 1 < sides.size(); ++k) {
         if (sides[k][0] != sides[k + 1][0] || sides[k][1] != sides[k + 1][1]) continue;
         const Index s = sides[k][2], t = sides[k + 1][2];
-        if (now.row(s).dot(now.row(t)) < -0.3 && before.row(s).dot(before.row(t)) > 0.2)
+        if (now.row(s).dot(now.row(t)) < folded_below && before.row(s).dot(before.row(t)) > flat_above)
             folded[static_cast<std::size_t>(s)] = folded[static_cast<std::size_t>(t)] = 1;
     }
     std::vector<std::uint32_t> folds;

@@ -32,8 +32,10 @@ void close_gap(const ScanSurface& scan, const Triangles& triangles, const Vertex
                const CorrespondenceOptions& match, const GapOptions& options, Points& places,
                const Context& context);
 
-/// Triangles that fold against a neighbour where the template (`rest`) does not.
-std::vector<std::uint32_t> find_folds(const PointsRef& places, const PointsRef& rest, const Triangles& triangles);
+/// Triangles that fold against a neighbour (cosine of their normals below `folded`) where `rest` does not
+/// (cosine above `flat`).
+std::vector<std::uint32_t> find_folds(const PointsRef& places, const PointsRef& rest, const Triangles& triangles,
+                                      double folded = -0.3, double flat = 0.2);
 
 /// Relaxes the surroundings of folds (umbrella steps with the template's edge shape) until none is left
 /// or `rounds` have passed. Returns the number of folds left.

@@ -126,6 +126,35 @@ void approach(const DeformationModel& model, const ScanSurface& scan, const Vect
     state.coefficients.pca.head(p) = rough.coefficients.pca;
 }
 
+// Where the field turned a triangle by more than 60 degrees, its corners (and, when that is not enough, their
+// neighbours) go back to where the modes had put them. Lids that close and lips that press fold against the
+// template by right, so the shape before the field is the judge and not the template.
+Index undo_turns(const Points& before, const Triangles& triangles, const VertexRings& rings, Points& places) {
+    const Points normals_before = triangle_normals(before, triangles);
+    Index undone = 0;
+    for (int round = 0; round < 6; ++round) {
+        const Points normals = triangle_normals(places, triangles);
+        std::vector<std::uint8_t> back(static_cast<std::size_t>(places.rows()), 0);
+        Index turned = 0;
+        for (Index t = 0; t < triangles.rows(); ++t) {
+            const double scale = normals.row(t).norm() * normals_before.row(t).norm();
+            if (normals.row(t).dot(normals_before.row(t)) >= 0.5 * scale) continue;
+            ++turned;
+            for (int k = 0; k < 3; ++k) {
+                const std::uint32_t v = triangles(t, k);
+                back[v] = 1;
+                if (round > 0)
+                    for (std::uint32_t j = rings.begin[v]; j < rings.begin[v + 1]; ++j) back[rings.neighbours[j]] = 1;
+            }
+        }
+        if (turned == 0) break;
+        undone += turned;
+        for (std::size_t v = 0; v < back.size(); ++v)
+            if (back[v]) places.row(static_cast<Index>(v)) = before.row(static_cast<Index>(v));
+    }
+    return undone;
+}
+
 // Fills the verdict's measures from the finished fit.
 void assess(const DeformationModel& model, const ScanSurface& scan, const std::vector<Pin>& pins,
             const FitState& state, RegistrationResult& result) {
@@ -263,23 +292,19 @@ RegistrationResult register_scan(const DeformationModel& model, const TriMesh& r
     result.sigma_mm = state.sigma_mm;
     const Triangles& triangles = model.template_mesh.triangles;
     const VertexRings rings = build_rings(n, triangles);
-    Points rest = state.motion.apply(PointsRef(model.template_mesh.vertices));
-    Index repaired = 0, left = 0;
-    if (options.repair) left = repair_folds(rest, triangles, rings, 12, state.places, repaired);
+    const Points rest = state.motion.apply(PointsRef(model.template_mesh.vertices));
+    Index repaired = 0;
     if (options.close_gap) {
         GapOptions gap;
         gap.smoothness = options.gap_smoothness;
         gap.robust_scale_mm = 2 * options.sigma_end_mm;
         const Points before = state.places;
         close_gap(scan, triangles, rings, Vector::Ones(n), options.correspondence, gap, state.places, context);
-        if (options.repair) {
-            Index more = 0;
-            left = repair_folds(before, triangles, rings, 12, state.places, more);
-            repaired += more;
-        }
+        if (options.repair) repaired = undo_turns(before, triangles, rings, state.places);
     }
     result.verdict.repaired_triangles = static_cast<int>(repaired);
-    result.verdict.flipped_triangles = static_cast<int>(left);
+    result.verdict.flipped_triangles =
+        static_cast<int>(find_folds(state.places, rest, triangles, -0.7, 0.7).size());
 
     // What the host gets.
     const Points normals = vertex_normals(state.places, triangles);

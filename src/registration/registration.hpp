@@ -72,7 +72,7 @@ struct RegistrationOptions {
     Index approach_scalar_modes = 20;
     // Rest
     bool close_gap = true;           ///< smooth residual field along the normals
-    double gap_smoothness = 5;
+    double gap_smoothness = 20;
     bool repair = true;              ///< relax folded triangles
     double normal_smoothing_mm = 2;
 };
