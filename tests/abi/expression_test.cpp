@@ -107,7 +107,7 @@ TEST_F(Expression, AModelFileGivesTheSameBits) {
     const mien::ExpressionModel loaded(*session_, path);
     EXPECT_EQ(mien::Neutralization(*session_, *model_, face(21, 2)).mesh().positions(),
               mien::Neutralization(*session_, loaded, face(21, 2)).mesh().positions());
-    EXPECT_EQ(loaded.identity_modes(), model.identity_modes());
+    EXPECT_EQ(loaded.identity_modes(), model_->identity_modes());
     std::remove(path.c_str());
 }
 
