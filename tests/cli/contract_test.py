@@ -78,13 +78,24 @@ class MainJob(unittest.TestCase):
         error = mean_distance([fitted[i] for i in face], [truth[i] for i in face])
         self.assertLess(error, 3.0)
 
-    def test_neutralization_lowers_the_error_to_the_true_neutral_face(self):
+    @staticmethod
+    def mouth_errors():
+        """Distance of the fitted and of the neutralized face from the true neutral one, mm."""
         zone = json.loads((WORK / "demo/zones.json").read_text())["zones"]["mouth"]
         pick = lambda name: [ply_vertices(name)[i] for i in zone]
         truth = pick(WORK / "demo/scan/truth_neutral.ply")
-        before = mean_distance(pick(WORK / "fitted.ply"), truth)
-        after = mean_distance(pick(WORK / "neutral.ply"), truth)
+        return (mean_distance(pick(WORK / "fitted.ply"), truth), mean_distance(pick(WORK / "neutral.ply"), truth))
+
+    def test_neutralization_does_not_harm(self):
+        before, after = self.mouth_errors()
         self.assertLess(after, before)
+
+    # Known shortfall: faces fitted from scans are distrusted too much (0.93 measured). When this passes,
+    # the suite says so, and the mark goes.
+    @unittest.expectedFailure
+    def test_neutralization_lowers_the_error_to_the_true_neutral_face(self):
+        before, after = self.mouth_errors()
+        self.assertLess(after, 0.7 * before)
 
     def test_reports_are_json(self):
         for name in ("build", "train", "register", "neutralize"):
