@@ -23,7 +23,7 @@ Points align_face(const PointsRef& face, const PointsRef& mean, const TrianglesR
     return result.motion.apply(face);
 }
 
-// Slopes that chance alone reaches in 19 of 20 vertices vanish (chi-squared of 3 over 3: 2.6).
+// Chosen on one simulated study (score_model.hpp); near the slope that chance reaches in 1 of 20 vertices.
 constexpr double kShrinkage = 3.0;
 
 bool uses_curvature(const Vector& curvature_scale) {
