@@ -1,5 +1,6 @@
 #include "arrays.hpp"
 
+#include <cstdio>
 #include <limits>
 
 namespace mien::abi {
@@ -38,6 +39,11 @@ bool wants_copy(std::uint64_t rows, const void* dst, std::uint64_t capacity, std
 
 }  // namespace
 
+const char* checked_text(const char* text, const char* parameter) {
+    if (text == nullptr) fail(Status::invalid_argument, "%s is null", parameter);
+    return text;
+}
+
 void check_view(const mien_array_view& view, int columns, const char* name) {
     if (reinterpret_cast<std::uintptr_t>(&view) % alignof(mien_array_view) != 0)
         fail(Status::invalid_argument, "%s, the view itself, is misaligned", name);
@@ -72,6 +78,39 @@ Vector read_values(const mien_array_view& view, const char* name) {
     Vector values(static_cast<Index>(view.count));
     read_any(view, 1, name, values.data());
     return values;
+}
+
+void check_array(const void* data, std::uint64_t count, std::size_t alignment, std::uint64_t most,
+                 const char* name) {
+    if (count == 0) return;
+    if (count > most)
+        fail(Status::invalid_argument, "%s has %llu entries, at most %llu are allowed", name,
+             static_cast<unsigned long long>(count), static_cast<unsigned long long>(most));
+    if (data == nullptr) fail(Status::invalid_argument, "%s is null, its count is not 0", name);
+    if (reinterpret_cast<std::uintptr_t>(data) % alignment != 0)
+        fail(Status::invalid_argument, "%s is not aligned to its values", name);
+}
+
+std::vector<std::uint32_t> read_vertices(const std::uint32_t* vertices, std::uint64_t count,
+                                         Index num_vertices, const char* name) {
+    return read_array(vertices, count, static_cast<std::uint64_t>(num_vertices), name);
+}
+
+Zone read_zone(const mien_zone& zone, Index num_vertices) {
+    Zone result;
+    result.name = checked_text(zone.name, "a zone's name");
+    char name[96];
+    std::snprintf(name, sizeof name, "zone \"%.60s\": vertices", zone.name);
+    result.vertices = read_vertices(zone.vertices, zone.vertex_count, num_vertices, name);
+    return result;
+}
+
+std::vector<Zone> read_zones(const mien_zone* zones, std::uint64_t count, Index num_vertices,
+                             const char* name) {
+    check_array(zones, count, alignof(mien_zone), kMostNames, name);
+    std::vector<Zone> result;
+    for (std::uint64_t i = 0; i < count; ++i) result.push_back(read_zone(zones[i], num_vertices));
+    return result;
 }
 
 void copy_rows(const void* source, std::uint64_t rows, std::size_t row_bytes, void* dst,

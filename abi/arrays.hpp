@@ -3,12 +3,20 @@
 
 #include <cstdint>
 #include <cstring>
+#include <vector>
 
 #include "base/error.hpp"
 #include "base/types.hpp"
+#include "mesh/tri_mesh.hpp"
 #include "mien/mien.h"
 
 namespace mien::abi {
+
+/// The most names that a list of the host's can have.
+constexpr std::uint64_t kMostNames = 100000;
+
+/// Text from the host: not null.
+const char* checked_text(const char* text, const char* parameter);
 
 /// Checks null, alignment, stride, dtype and count * stride overflow of a #rows x columns view.
 void check_view(const mien_array_view& view, int columns, const char* name);
@@ -17,6 +25,28 @@ void check_view(const mien_array_view& view, int columns, const char* name);
 Points read_points(const mien_array_view& view, const char* name);
 /// Reads a #rows x 1 F32 or F64 view as float64.
 Vector read_values(const mien_array_view& view, const char* name);
+
+/// Throws for null (unless count is 0), for misalignment and for a count above `most`, before anything
+/// is read: a count that nothing honest can have is a mistake of the host's, and following it would run
+/// off the end of its array.
+void check_array(const void* data, std::uint64_t count, std::size_t alignment, std::uint64_t most,
+                 const char* name);
+/// A copy of a checked array.
+template <typename T>
+std::vector<T> read_array(const T* data, std::uint64_t count, std::uint64_t most, const char* name) {
+    check_array(data, count, alignof(T), most, name);
+    return count == 0 ? std::vector<T>() : std::vector<T>(data, data + count);
+}
+/// A set of vertices of a surface with num_vertices: never more numbers than that. Whether each is in
+/// range is for the core to say.
+std::vector<std::uint32_t> read_vertices(const std::uint32_t* vertices, std::uint64_t count,
+                                         Index num_vertices, const char* name);
+
+/// A named set of vertices of a surface with num_vertices.
+Zone read_zone(const mien_zone& zone, Index num_vertices);
+/// `count` of them, at most 100000; `name` is the parameter's.
+std::vector<Zone> read_zones(const mien_zone* zones, std::uint64_t count, Index num_vertices,
+                             const char* name);
 
 /// The two-call protocol: with dst null and capacity 0 writes *count only; a short capacity throws
 /// Status::buffer_too_small with *count written and dst untouched. `rows` of row_bytes each.

@@ -108,15 +108,6 @@ EvaluationOptions evaluation_with(const EvaluationOptions& common, std::int32_t 
 
 namespace mien::abi {
 
-std::vector<std::uint32_t> read_vertices(const std::uint32_t* vertices, std::uint64_t count,
-                                         const char* name) {
-    if (count == 0) return {};
-    if (vertices == nullptr) fail(Status::invalid_argument, "%s is null, its count is not 0", name);
-    if (reinterpret_cast<std::uintptr_t>(vertices) % alignof(std::uint32_t) != 0 || count > 0x7fffffffu)
-        fail(Status::invalid_argument, "%s is misaligned or longer than 2^31 - 1", name);
-    return std::vector<std::uint32_t>(vertices, vertices + count);
-}
-
 void check_fit(std::int32_t method, const char* name) {
     if (method < MIEN_FIT_MIXTURE || method > MIEN_FIT_ALTERNATING)
         fail(Status::invalid_argument, "%s is %d; use one of MIEN_FIT_...", name, method);
@@ -137,8 +128,6 @@ TrainOptions read_train_options(const mien_train_options& given) {
     options.subspaces.lambda_factor = given.lambda_factor;
     options.subspaces.angle_tolerance_rad = given.angle_tolerance_rad;
     options.span.passes = given.passes;
-    options.stable_vertices =
-        read_vertices(given.stable_vertices, given.stable_count, "options.stable_vertices");
     options.map_noise_mm2 = options.mixture_noise_mm2 = given.noise_mm2;
     return options;
 }
@@ -170,11 +159,13 @@ mien_status MIEN_CALL mien_expression_model_train(mien_session* session, const c
                                                   mien_expression_model** out, mien_error* error) {
     return guarded_create(out, error, [&] {
         const mien_train_options given = given_train_options(options);
-        const TrainOptions settings = read_train_options(given);
+        TrainOptions settings = read_train_options(given);
         const Call call(session, given.progress, given.progress_user, given.cancel);
         auto dataset = std::make_shared<FaceDataset>(FaceDataset::open(
             checked_text(dataset_path, "dataset_path"), unverified(), call.context()));
         TrainReport report;
+        settings.stable_vertices = read_vertices(given.stable_vertices, given.stable_count,
+                                                 dataset->num_vertices(), "options.stable_vertices");
         auto model = train_expression_model(std::move(dataset), settings, call.context(), &report);
         std::string json = training_json(*model, report);
         return new mien_expression_model(std::move(model), std::move(json));
@@ -333,11 +324,12 @@ mien_status MIEN_CALL mien_evaluate_neutralization(mien_session* session,
         const Call call(session, given.progress, given.progress_user, given.cancel);
         const ExpressionModel& data = *checked(model, "model").model;
         EvaluationOptions common;
-        common.zone = read_vertices(given.zone_vertices, given.zone_count, "options.zone_vertices");
-        common.stable =
-            read_vertices(given.stable_vertices, given.stable_count, "options.stable_vertices");
         const FaceDataset dataset =
             FaceDataset::open(checked_text(dataset_path, "dataset_path"), {}, call.context());
+        common.zone = read_vertices(given.zone_vertices, given.zone_count, dataset.num_vertices(),
+                                    "options.zone_vertices");
+        common.stable = read_vertices(given.stable_vertices, given.stable_count, dataset.num_vertices(),
+                                      "options.stable_vertices");
         const EvaluatedFaces baseline = evaluate_faces(call.context(), dataset, common, nullptr);
         const EvaluatedFaces result = evaluate_model(
             call.context(), dataset, data, evaluation_with(common, given.method, given.max_sweeps));

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "base/safetensors.hpp"
 #include "expression/training.hpp"
@@ -10,12 +9,11 @@
 
 namespace mien::abi {
 
-std::vector<std::uint32_t> read_vertices(const std::uint32_t* vertices, std::uint64_t count,
-                                         const char* name);
 void check_fit(std::int32_t method, const char* name);
 void check_pose(std::int32_t pose);
 /// The host's options over the defaults, and as the core takes them.
 mien_train_options given_train_options(const mien_train_options* options);
+/// Without the stable vertices: how many there can be is known once the dataset is open.
 TrainOptions read_train_options(const mien_train_options& given);
 /// Training looks at every face itself; hashing and checking first would read the file twice and hold
 /// all of it in memory.

@@ -30,7 +30,7 @@ mien_series_options default_series_options() {
     return options;
 }
 
-SeriesOptions read_series_options(const mien_series_options& given) {
+SeriesOptions read_series_options(const mien_series_options& given, Index num_vertices) {
     check_fit(given.method, "options.method");
     check_pose(given.pose);
     if (given.reserved != 0) fail(Status::unsupported_option, "options.reserved is not zero");
@@ -40,7 +40,7 @@ SeriesOptions read_series_options(const mien_series_options& given) {
     options.scan_noise_share = given.scan_noise_share;
     options.noise_mm2 = given.noise_mm2;
     options.changing_zone =
-        read_vertices(given.changing_vertices, given.changing_count, "options.changing_vertices");
+        read_vertices(given.changing_vertices, given.changing_count, num_vertices, "options.changing_vertices");
     options.expected_change_mm = given.expected_change_mm;
     return options;
 }
@@ -88,7 +88,7 @@ mien_status MIEN_CALL mien_expression_model_merge(mien_session* session, const c
     return guarded_create(out, error, [&] {
         const mien_train_options given = given_train_options(options);
         const TrainOptions settings = read_train_options(given);
-        if (!settings.stable_vertices.empty())
+        if (given.stable_count != 0)
             fail(Status::invalid_argument,
                  "shards hold faces as they lie: align a study before it is cut into parts");
         const Call call(session, given.progress, given.progress_user, given.cancel);
@@ -113,9 +113,9 @@ mien_status MIEN_CALL mien_neutralize_series(mien_session* session, const mien_e
         const mien_series_options given =
             read_options(options, default_series_options(),
                          MIEN_FIRST_SIZE(mien_series_options, cancel), "options");
-        const SeriesOptions settings = read_series_options(given);
         const Call call(session, given.progress, given.progress_user, given.cancel);
         const ExpressionModel& data = *checked(model, "model").model;
+        const SeriesOptions settings = read_series_options(given, data.num_vertices());
         if (faces == nullptr || face_count == 0 || face_count > 1000)
             fail(Status::invalid_argument, "faces is null, or face_count is not 1 to 1000");
         std::vector<SeriesScan> scans;

@@ -39,40 +39,27 @@ mien_measure_options read_measure_options(const mien_measure_options* given) {
     if (options.skip_borders != 0 && options.skip_borders != 1)
         fail(Status::unsupported_option, "options.skip_borders is %d, allowed are 0 and 1",
              options.skip_borders);
-    // Refused whatever the function then reads of it: such a value is a mistake of the caller's.
-    for (const double value : {options.correlation_length_mm, options.alignment_rotation_sd_rad,
-                               options.alignment_translation_sd_mm, options.alignment_centre[0],
-                               options.alignment_centre[1], options.alignment_centre[2],
-                               options.common_bias_mm, options.limit_of_detection_ml,
-                               options.max_distance_mm})
-        if (std::isnan(value)) fail(Status::invalid_argument, "an option in options is not a number");
+    check_numbers({{"correlation_length_mm", options.correlation_length_mm},
+                   {"alignment_rotation_sd_rad", options.alignment_rotation_sd_rad},
+                   {"alignment_translation_sd_mm", options.alignment_translation_sd_mm},
+                   {"alignment_centre[0]", options.alignment_centre[0]},
+                   {"alignment_centre[1]", options.alignment_centre[1]},
+                   {"alignment_centre[2]", options.alignment_centre[2]},
+                   {"common_bias_mm", options.common_bias_mm},
+                   {"limit_of_detection_ml", options.limit_of_detection_ml},
+                   {"max_distance_mm", options.max_distance_mm}});
     if (options.before_sd.count != 0) check_view(options.before_sd, 1, "options.before_sd");
     if (options.after_sd.count != 0) check_view(options.after_sd, 1, "options.after_sd");
     return options;
 }
 
-Zone read_zone(const mien_measure_zone& zone) {
-    Zone result;
-    result.name = checked_text(zone.name, "a zone's name");
-    if (zone.vertex_count != 0 && zone.vertices == nullptr)
-        fail(Status::invalid_argument, "zone %.60s has no vertices array", result.name.c_str());
-    if (zone.vertex_count > 0xFFFFFFFFu ||
-        reinterpret_cast<std::uintptr_t>(zone.vertices) % alignof(std::uint32_t) != 0)
-        fail(Status::invalid_argument, "zone %.60s: vertex_count is %llu, or vertices is misaligned",
-             result.name.c_str(), static_cast<unsigned long long>(zone.vertex_count));
-    if (zone.vertex_count != 0) result.vertices.assign(zone.vertices, zone.vertices + zone.vertex_count);
-    return result;
+std::vector<Zone> zones_of(const mien_measure_options& options, const TriMesh& before) {
+    return read_zones(options.zones, options.zone_count, before.vertices.rows(), "options.zones");
 }
 
-std::vector<Zone> read_zones(const mien_measure_options& options) {
-    if (options.zone_count != 0 && options.zones == nullptr)
-        fail(Status::invalid_argument, "options.zones is null, zone_count is not 0");
-    if (options.zone_count > 100000)
-        fail(Status::invalid_argument, "options.zone_count is %llu, at most 100000 are allowed",
-             static_cast<unsigned long long>(options.zone_count));
-    std::vector<Zone> zones;
-    for (std::uint64_t z = 0; z < options.zone_count; ++z) zones.push_back(read_zone(options.zones[z]));
-    return zones;
+Zone checked_zone(const mien_zone* zone, const TriMesh& mesh) {
+    check_array(zone, 1, alignof(mien_zone), 1, "the zone");
+    return read_zone(*zone, mesh.vertices.rows());
 }
 
 std::optional<VolumeErrorModel> read_errors(const mien_measure_options& options) {
@@ -130,7 +117,7 @@ mien_status MIEN_CALL mien_measure_volume(mien_session* session, const mien_mesh
         const TriMesh& second = *checked(after, "after").mesh;
         const Call call(session, given.progress, given.progress_user, given.cancel);
         MeasureOptions settings;
-        settings.zones = read_zones(given);
+        settings.zones = zones_of(given, first);
         settings.errors = read_errors(given);
         settings.limit_of_detection_ml = given.limit_of_detection_ml;
         return new mien_measurement(measure_volume_fully(first.vertices, second.vertices, first.triangles,
@@ -146,7 +133,7 @@ mien_status MIEN_CALL mien_measure_distance(mien_session* session, const mien_me
         const TriMesh& first = *checked(before, "before").mesh;
         const TriMesh& second = *checked(after, "after").mesh;
         const Call call(session, given.progress, given.progress_user, given.cancel);
-        const std::vector<Zone> zones = read_zones(given);
+        const std::vector<Zone> zones = zones_of(given, first);
         return finish_distance(measure_distance(first.vertices, second.vertices, first.triangles, zones,
                                                 call.context()),
                                zones);
@@ -162,7 +149,7 @@ mien_status MIEN_CALL mien_measure_surface_distance(mien_session* session, const
         const TriMesh& first = *checked(before, "before").mesh;
         const TriMesh& second = *checked(after, "after").mesh;
         const Call call(session, given.progress, given.progress_user, given.cancel);
-        const std::vector<Zone> zones = read_zones(given);
+        const std::vector<Zone> zones = zones_of(given, first);
         return finish_distance(measure_surface_distance(first, second, zones, given.max_distance_mm,
                                                         given.skip_borders != 0, call.context()),
                                zones);
@@ -185,7 +172,7 @@ mien_status MIEN_CALL mien_measure_closed_volume(mien_session* session, const mi
 }
 
 mien_status MIEN_CALL mien_measure_area(mien_session* session, const mien_mesh* mesh,
-                                        const mien_measure_zone* zone, double* area_mm2,
+                                        const mien_zone* zone, double* area_mm2,
                                         mien_error* error) {
     return guarded(error, [&] {
         const TriMesh& data = *checked(mesh, "mesh").mesh;
@@ -194,7 +181,7 @@ mien_status MIEN_CALL mien_measure_area(mien_session* session, const mien_mesh* 
         if (zone == nullptr)
             *area_mm2 = surface_area_mm2(data.vertices, data.triangles);
         else
-            *area_mm2 = zone_areas(data.vertices, data.triangles, {read_zone(*zone)}).front().area_mm2;
+            *area_mm2 = zone_areas(data.vertices, data.triangles, {checked_zone(zone, data)}).front().area_mm2;
     });
 }
 
@@ -215,7 +202,7 @@ mien_status MIEN_CALL mien_measure_scan_volume(mien_session* session, const mien
         settings.carry = static_cast<Carry>(carry);
         if (direction != nullptr) settings.direction = Vector3(direction[0], direction[1], direction[2]);
         if (given.max_distance_mm != 0) settings.max_distance_mm = given.max_distance_mm;
-        settings.zones = read_zones(given);
+        settings.zones = zones_of(given, first);
         ScanVolumeReport report = measure_scan_volume(first, second, settings, call.context());
         Measurement result = measurement_of(report, given.limit_of_detection_ml);
         auto made = std::make_unique<mien_measurement>(std::move(result));
@@ -225,13 +212,13 @@ mien_status MIEN_CALL mien_measure_scan_volume(mien_session* session, const mien
 }
 
 mien_status MIEN_CALL mien_measure_align(mien_session* session, const mien_mesh* moving,
-                                         const mien_mesh* target, const mien_measure_zone* stable,
+                                         const mien_mesh* target, const mien_zone* stable,
                                          mien_zone_alignment* info, mien_mesh** out, mien_error* error) {
     return guarded_create(out, error, [&] {
         const TriMesh& source = *checked(moving, "moving").mesh;
         const TriMesh& fixed = *checked(target, "target").mesh;
         const Call call(session);
-        const Zone zone = stable != nullptr ? read_zone(*stable) : Zone();
+        const Zone zone = stable != nullptr ? checked_zone(stable, source) : Zone();
         check_faces_in_correspondence(fixed.vertices, source.vertices, fixed.triangles);
         const RigidZoneResult result =
             align_on_zone(source.vertices, fixed.vertices, fixed.triangles, zone.vertices, RigidZoneOptions());

@@ -31,8 +31,6 @@ struct mien_tuning : Object {
 
 namespace {
 
-constexpr std::uint64_t kMostNames = 100000;
-
 mien_model_options default_model_options() {
     const ModelOptions core;
     const KernelTerm kernel;
@@ -62,6 +60,13 @@ KernelKind read_kind(std::int32_t kind) {
     return static_cast<KernelKind>(kind);
 }
 
+template <typename Number>
+void check_reserved(Number reserved, const char* name, std::uint64_t index) {
+    if (reserved != 0)
+        fail_at(Status::unsupported_option, static_cast<std::int64_t>(index), "%s[%llu].reserved is not zero",
+                name, static_cast<unsigned long long>(index));
+}
+
 std::vector<KernelTerm> read_kernels(const mien_model_options& given) {
     std::vector<KernelTerm> terms;
     if (given.kernel != MIEN_KERNEL_NONE) {
@@ -72,58 +77,37 @@ std::vector<KernelTerm> read_kernels(const mien_model_options& given) {
         term.nu = given.nu;
         terms = multiscale(term, given.levels);
     }
-    if (given.kernel_count > 64)
-        fail(Status::invalid_argument, "options.kernel_count is %llu, at most 64 are allowed",
-             static_cast<unsigned long long>(given.kernel_count));
-    if (given.kernel_count != 0 && given.kernels == nullptr)
-        fail(Status::invalid_argument, "options.kernels is null, kernel_count is not 0");
+    check_array(given.kernels, given.kernel_count, alignof(mien_kernel), 64, "options.kernels");
     for (std::uint64_t k = 0; k < given.kernel_count; ++k) {
         const mien_kernel& kernel = given.kernels[k];
-        if (kernel.reserved != 0)
-            fail(Status::unsupported_option, "options.kernels[%llu].reserved is not zero",
-                 static_cast<unsigned long long>(k));
+        check_reserved(kernel.reserved, "options.kernels", k);
+        check_numbers({{"sigma_mm", kernel.sigma_mm}, {"scale_mm", kernel.scale_mm}, {"nu", kernel.nu}},
+                      "options.kernels[]");
         terms.push_back({read_kind(kernel.kind), kernel.sigma_mm, kernel.scale_mm, kernel.nu});
     }
     return terms;
 }
 
-void check_count(std::uint64_t count, const void* data, const char* name) {
-    if (count != 0 && data == nullptr)
-        fail(Status::invalid_argument, "options.%s is null, its count is not 0", name);
-    if (count > kMostNames)
-        fail(Status::invalid_argument, "options holds %llu %s, at most %llu are allowed",
-             static_cast<unsigned long long>(count), name,
-             static_cast<unsigned long long>(kMostNames));
-}
-
 std::vector<Landmark> read_landmarks(const mien_model_options& given) {
-    check_count(given.landmark_count, given.landmarks, "landmarks");
+    check_array(given.landmarks, given.landmark_count, alignof(mien_landmark), kMostNames, "options.landmarks");
     std::vector<Landmark> landmarks;
-    for (std::uint64_t i = 0; i < given.landmark_count; ++i)
-        landmarks.push_back({checked_text(given.landmarks[i].name, "a landmark's name"),
-                             given.landmarks[i].vertex});
+    for (std::uint64_t i = 0; i < given.landmark_count; ++i) {
+        const mien_landmark& landmark = given.landmarks[i];
+        check_reserved(landmark.reserved, "options.landmarks", i);
+        landmarks.push_back({checked_text(landmark.name, "a landmark's name"), landmark.vertex});
+    }
     return landmarks;
 }
 
-std::vector<Zone> read_zones(const mien_model_options& given) {
-    check_count(given.zone_count, given.zones, "zones");
-    std::vector<Zone> zones;
-    for (std::uint64_t i = 0; i < given.zone_count; ++i) {
-        const mien_zone& zone = given.zones[i];
-        Zone result;
-        result.name = checked_text(zone.name, "a zone's name");
-        if ((zone.vertex_count != 0 && zone.vertices == nullptr) || zone.vertex_count > 0xFFFFFFFFu ||
-            reinterpret_cast<std::uintptr_t>(zone.vertices) % alignof(std::uint32_t) != 0)
-            fail(Status::invalid_argument, "zone \"%.60s\": vertices is null or misaligned, or there are too many",
-                 result.name.c_str());
-        if (zone.vertex_count != 0)
-            result.vertices.assign(zone.vertices, zone.vertices + zone.vertex_count);
-        zones.push_back(std::move(result));
-    }
-    return zones;
-}
-
 ModelOptions read_model_options(const mien_model_options& given) {
+    check_numbers({{"sigma_mm", given.sigma_mm},
+                   {"scale_mm", given.scale_mm},
+                   {"nu", given.nu},
+                   {"tolerance", given.tolerance},
+                   {"mirror_correlation", given.mirror_correlation},
+                   {"eigenvalue_threshold", given.eigenvalue_threshold},
+                   {"heat_time_factor", given.heat_time_factor},
+                   {"pca_variance", given.pca_variance}});
     ModelOptions options;
     options.kernels = read_kernels(given);
     options.num_modes = given.num_modes;
@@ -159,15 +143,15 @@ mien_tune_options default_tune_options() {
 }
 
 TuneOptions read_tune_options(const mien_tune_options& given, const FaceDataset& faces) {
+    check_numbers({{"scale_mm", given.scale_mm}, {"nu", given.nu}, {"rho", given.rho}});
     TuneOptions options;
     options.kernel = {read_kind(given.kernel), options.kernel.sigma_mm, given.scale_mm, given.nu};
     options.levels = given.levels;
     options.num_modes = given.num_modes;
     options.rho = given.rho;
-    check_count(given.sigma_count, given.sigmas_mm, "sigmas_mm");
     if (given.sigma_count != 0)
-        options.sigmas_mm.assign(given.sigmas_mm, given.sigmas_mm + given.sigma_count);
-    check_count(given.expression_count, given.expressions, "expressions");
+        options.sigmas_mm = read_array(given.sigmas_mm, given.sigma_count, kMostNames, "options.sigmas_mm");
+    check_array(given.expressions, given.expression_count, alignof(const char*), kMostNames, "options.expressions");
     std::vector<std::string> expressions;
     for (std::uint32_t i = 0; i < given.expression_count; ++i)
         expressions.emplace_back(checked_text(given.expressions[i], "an expression name"));
@@ -178,12 +162,11 @@ TuneOptions read_tune_options(const mien_tune_options& given, const FaceDataset&
 std::vector<LandmarkObservation> read_observations(const DeformationModel& model,
                                                    const mien_landmark_observation* given,
                                                    std::uint64_t count) {
-    if (given == nullptr) fail(Status::invalid_argument, "observations is null");
-    if (count == 0 || count > kMostNames)
-        fail(Status::invalid_argument, "observation_count is %llu, allowed are 1 to %llu",
-             static_cast<unsigned long long>(count), static_cast<unsigned long long>(kMostNames));
+    if (count == 0) fail(Status::invalid_argument, "observation_count is 0");
+    check_array(given, count, alignof(mien_landmark_observation), kMostNames, "observations");
     std::vector<LandmarkObservation> observations;
     for (std::uint64_t i = 0; i < count; ++i) {
+        check_reserved(given[i].reserved, "observations", i);
         LandmarkObservation seen;
         seen.vertex = given[i].vertex;
         if (given[i].name != nullptr) {
@@ -241,8 +224,10 @@ mien_status MIEN_CALL mien_model_build(mien_session* session, const mien_mesh* t
             faces = FaceDataset::open(given.pca_dataset, SafetensorsReadOptions{}, call.context());
             settings.pca_faces = &faces;
         }
-        const BuiltModel built = build_deformation_model(mesh, read_landmarks(given),
-                                                         read_zones(given), settings, call.context());
+        const BuiltModel built = build_deformation_model(
+            mesh, read_landmarks(given),
+            read_zones(given.zones, given.zone_count, mesh.vertices.rows(), "options.zones"),
+            settings, call.context());
         return new mien_model(built.model);
     });
 }

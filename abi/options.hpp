@@ -3,9 +3,11 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <initializer_list>
 
 #include "base/error.hpp"
 
@@ -47,6 +49,18 @@ Options read_options(const Options* options, const Options& defaults, std::size_
     Options merged = defaults;
     std::memcpy(static_cast<void*>(&merged), options, std::min(size, sizeof(Options)));
     return merged;
+}
+
+/// Refuses what is not a number, also where a call would not read it: such a value is a mistake of the
+/// host's.
+struct NamedNumber {
+    const char* name;
+    double value;
+};
+inline void check_numbers(std::initializer_list<NamedNumber> numbers, const char* options = "options") {
+    for (const NamedNumber& number : numbers)
+        if (std::isnan(number.value))
+            fail(Status::invalid_argument, "%s.%s is not a number", options, number.name);
 }
 
 }  // namespace mien::abi

@@ -34,15 +34,7 @@ mien_score_options default_options() {
     return options;
 }
 
-std::vector<std::uint32_t> read_set(const uint32_t* vertices, uint64_t count, const char* name) {
-    if (count != 0 && vertices == nullptr) fail(Status::invalid_argument, "%s is null, its count is not 0", name);
-    if (count > 0xFFFFFFFFu || reinterpret_cast<std::uintptr_t>(vertices) % alignof(std::uint32_t) != 0)
-        fail(Status::invalid_argument, "%s is misaligned or has too many entries", name);
-    if (count == 0) return {};
-    return std::vector<std::uint32_t>(vertices, vertices + count);
-}
-
-ScoreOptions read_score_options(const mien_score_options& given) {
+ScoreOptions read_score_options(const mien_score_options& given, Index num_vertices) {
     if (given.reserved != 0) fail(Status::unsupported_option, "options.reserved is not zero");
     if (given.method != MIEN_PLS_NIPALS && given.method != MIEN_PLS_SIMPLS)
         fail(Status::unsupported_option, "options.method is %d, which is unknown", given.method);
@@ -56,18 +48,16 @@ ScoreOptions read_score_options(const mien_score_options& given) {
     options.curvature_radius_mm = given.curvature_radius_mm;
     options.lowest = given.lowest;
     options.highest = given.highest;
-    options.zone = read_set(given.zone_vertices, given.zone_count, "options.zone_vertices");
-    options.stable_zone = read_set(given.stable_vertices, given.stable_count, "options.stable_vertices");
+    options.zone = read_vertices(given.zone_vertices, given.zone_count, num_vertices, "options.zone_vertices");
+    options.stable_zone =
+        read_vertices(given.stable_vertices, given.stable_count, num_vertices, "options.stable_vertices");
     return options;
 }
 
-/// Host values, 8-byte aligned.
+constexpr std::uint64_t kMostValues = 100000000;
+
 std::vector<double> read_list(const double* values, uint64_t count, const char* name) {
-    if (count == 0) return {};
-    if (values == nullptr) fail(Status::invalid_argument, "%s is null", name);
-    if (count > 100000000 || reinterpret_cast<std::uintptr_t>(values) % alignof(double) != 0)
-        fail(Status::invalid_argument, "%s is misaligned or has more than 1e8 entries", name);
-    return std::vector<double>(values, values + count);
+    return read_array(values, count, kMostValues, name);
 }
 
 }  // namespace
@@ -86,9 +76,12 @@ mien_status MIEN_CALL mien_score_model_train(mien_session* session, const char* 
         const mien_score_options given = read_options(
             options, default_options(), MIEN_FIRST_SIZE(mien_score_options, cancel), "options");
         const Call call(session, given.progress, given.progress_user, given.cancel);
-        const ScoreOptions settings = read_score_options(given);
-        const std::vector<double> list = read_list(grades, grade_count, "grades");
         const FaceDataset faces = FaceDataset::open(checked_text(dataset_path, "dataset_path"), {}, call.context());
+        const ScoreOptions settings = read_score_options(given, faces.num_vertices());
+        if (grade_count != static_cast<std::uint64_t>(faces.num_faces()))
+            fail(Status::mismatch, "grade_count is %llu, the dataset has %lld faces",
+                 static_cast<unsigned long long>(grade_count), static_cast<long long>(faces.num_faces()));
+        const std::vector<double> list = read_array(grades, grade_count, grade_count, "grades");
         const Vector values = Eigen::Map<const Vector>(list.data(), static_cast<Index>(list.size()));
         return new mien_score_model(train_score(faces, values, settings, call.context()));
     });
@@ -208,11 +201,7 @@ mien_status MIEN_CALL mien_statistics_repeatability(mien_session* session, const
     return guarded(error, [&] {
         const Call call(session);
         const std::vector<double> list = read_list(values, value_count, "values");
-        if (value_count != 0 && subjects == nullptr) fail(Status::invalid_argument, "subjects is null");
-        if (reinterpret_cast<std::uintptr_t>(subjects) % alignof(std::int32_t) != 0)
-            fail(Status::invalid_argument, "subjects is not aligned to its 4-byte values");
-        const std::vector<int> who = value_count == 0 ? std::vector<int>()
-                                                      : std::vector<int>(subjects, subjects + value_count);
+        const std::vector<int> who = read_array(subjects, value_count, kMostValues, "subjects");
         const std::string json = repeatability_json(list, who, read_list(blanks, blank_count, "blanks"));
         copy_text(json.data(), json.size(), dst, capacity, count);
     });

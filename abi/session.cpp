@@ -49,11 +49,6 @@ void Call::forward_log(void* call, std::int32_t level, const char* message) {
     }
 }
 
-const char* checked_text(const char* text, const char* parameter) {
-    if (text == nullptr) fail(Status::invalid_argument, "%s is null", parameter);
-    return text;
-}
-
 namespace {
 
 constexpr std::int32_t kMaxThreads = 256;

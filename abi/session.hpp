@@ -47,7 +47,4 @@ class Call {
     mien_cancel* cancel_;
 };
 
-/// Text from the host: not null.
-const char* checked_text(const char* text, const char* parameter);
-
 }  // namespace mien::abi

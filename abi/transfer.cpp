@@ -64,12 +64,8 @@ mien_status MIEN_CALL mien_surface_transfer_zone(mien_session* session, const mi
         const TriMesh& source = *checked(from, "from").mesh;
         const TriMesh& target = *checked(to, "to").mesh;
         const Call call(session);
-        if (vertex_count != 0 && vertices == nullptr)
-            fail(Status::invalid_argument, "vertices is null, vertex_count is not 0");
-        if (vertex_count > 0xFFFFFFFFu || reinterpret_cast<std::uintptr_t>(vertices) % alignof(std::uint32_t) != 0)
-            fail(Status::invalid_argument, "vertices is misaligned, or vertex_count is above 2^32");
-        std::vector<std::uint32_t> zone;
-        if (vertex_count != 0) zone.assign(vertices, vertices + vertex_count);
+        const std::vector<std::uint32_t> zone =
+            read_vertices(vertices, vertex_count, source.vertices.rows(), "vertices");
         const std::vector<std::uint32_t> inside =
             SurfaceTransfer(source, target, call.context())
                 .zone(zone, TransferDirection::to_scan, limit_of(max_distance_mm), call.context());

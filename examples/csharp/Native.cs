@@ -148,6 +148,14 @@ namespace Mien.Native
     }
 
     [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct Zone
+    {
+        public IntPtr name;
+        public IntPtr vertices;
+        public ulong vertexCount;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     internal unsafe struct MeshArrays
     {
         public uint structSize;
@@ -174,14 +182,6 @@ namespace Mien.Native
         public IntPtr name;
         public uint vertex;
         public uint reserved;
-    }
-
-    [StructLayout(LayoutKind.Sequential)]
-    internal unsafe struct Zone
-    {
-        public IntPtr name;
-        public IntPtr vertices;
-        public ulong vertexCount;
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -385,14 +385,6 @@ namespace Mien.Native
         public IntPtr progress;
         public IntPtr progressUser;
         public IntPtr cancel;
-    }
-
-    [StructLayout(LayoutKind.Sequential)]
-    internal unsafe struct MeasureZone
-    {
-        public IntPtr name;
-        public IntPtr vertices;
-        public ulong vertexCount;
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -1356,10 +1348,10 @@ namespace Mien.Native
 
 #if NET7_0_OR_GREATER
         [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_measure_area(SessionHandle session, MeshHandle mesh, ref MeasureZone zone, IntPtr area_mm2, ref Error error);
+        internal static partial int mien_measure_area(SessionHandle session, MeshHandle mesh, ref Zone zone, IntPtr area_mm2, ref Error error);
 #else
         [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_measure_area(SessionHandle session, MeshHandle mesh, ref MeasureZone zone, IntPtr area_mm2, ref Error error);
+        internal static extern int mien_measure_area(SessionHandle session, MeshHandle mesh, ref Zone zone, IntPtr area_mm2, ref Error error);
 #endif
 
 #if NET7_0_OR_GREATER
@@ -1372,10 +1364,10 @@ namespace Mien.Native
 
 #if NET7_0_OR_GREATER
         [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_measure_align(SessionHandle session, MeshHandle moving, MeshHandle target, ref MeasureZone stable, ref ZoneAlignment info, out MeshHandle @out, ref Error error);
+        internal static partial int mien_measure_align(SessionHandle session, MeshHandle moving, MeshHandle target, ref Zone stable, ref ZoneAlignment info, out MeshHandle @out, ref Error error);
 #else
         [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_measure_align(SessionHandle session, MeshHandle moving, MeshHandle target, ref MeasureZone stable, ref ZoneAlignment info, out MeshHandle @out, ref Error error);
+        internal static extern int mien_measure_align(SessionHandle session, MeshHandle moving, MeshHandle target, ref Zone stable, ref ZoneAlignment info, out MeshHandle @out, ref Error error);
 #endif
 
 #if NET7_0_OR_GREATER

@@ -11,19 +11,12 @@ extern "C" {
 /** What was measured: numbers per zone and values per vertex. Immutable: share freely. */
 typedef struct mien_measurement mien_measurement;
 
-/** A named vertex set, read in place and only during the call. */
-typedef struct mien_measure_zone {
-    const char *name;         /**< UTF-8, not null */
-    const uint32_t *vertices; /**< vertex_count vertex numbers; repeated ones count once */
-    uint64_t vertex_count;
-} mien_measure_zone;
-
 /** Initialise with mien_measure_options_init(). */
 typedef struct mien_measure_options {
     uint32_t struct_size;
     int32_t skip_borders; /**< surfaces not in correspondence: 1 (default) leaves out places whose partner
                                lies on an open border, where nothing is known */
-    const mien_measure_zone *zones; /**< zone_count zones; null: the whole face only */
+    const mien_zone *zones; /**< zone_count zones; null: the whole face only */
     uint64_t zone_count;
     mien_array_view before_sd; /**< #V, mm: deviation of each vertex along the normal; count 0: exact */
     mien_array_view after_sd;
@@ -204,7 +197,7 @@ MIEN_API mien_status MIEN_CALL mien_measure_closed_volume(mien_session *session,
  * @since  0.1
  */
 MIEN_API mien_status MIEN_CALL mien_measure_area(mien_session *session, const mien_mesh *mesh,
-                                                 const mien_measure_zone *zone, double *area_mm2,
+                                                 const mien_zone *zone, double *area_mm2,
                                                  mien_error *error);
 
 /** How vertices are carried onto a surface that is not in correspondence. */
@@ -275,7 +268,7 @@ typedef struct mien_zone_alignment {
  * @since  0.1
  */
 MIEN_API mien_status MIEN_CALL mien_measure_align(mien_session *session, const mien_mesh *moving,
-                                                  const mien_mesh *target, const mien_measure_zone *stable,
+                                                  const mien_mesh *target, const mien_zone *stable,
                                                   mien_zone_alignment *info, mien_mesh **out,
                                                   mien_error *error);
 

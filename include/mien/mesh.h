@@ -31,6 +31,13 @@ typedef struct mien_array_view {
     int32_t reserved;      /**< zero */
 } mien_array_view;
 
+/** A named set of vertices of a surface, read in place and only during the call. */
+typedef struct mien_zone {
+    const char *name;         /**< UTF-8, not null */
+    const uint32_t *vertices; /**< vertex_count vertex numbers; repeated ones count once */
+    uint64_t vertex_count;    /**< never more than the surface has vertices */
+} mien_zone;
+
 /** What a mesh is made of. Initialise with mien_mesh_arrays_init(). */
 typedef struct mien_mesh_arrays {
     uint32_t struct_size;

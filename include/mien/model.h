@@ -45,13 +45,6 @@ typedef struct mien_landmark {
     uint32_t reserved; /**< zero */
 } mien_landmark;
 
-/** A named set of vertices of the template. */
-typedef struct mien_zone {
-    const char *name;         /**< UTF-8, not null */
-    const uint32_t *vertices; /**< vertex_count numbers */
-    uint64_t vertex_count;
-} mien_zone;
-
 /** Where a landmark was seen. */
 typedef struct mien_landmark_observation {
     const char *name;   /**< of a landmark of the model; null: `vertex` says which */

@@ -312,7 +312,7 @@ MIEN_API mien_status MIEN_CALL mien_surface_transfer_points(mien_session *sessio
  * @param session         [in] not null.
  * @param from            [in] not null; with the zone's vertices.
  * @param vertices        [in] vertex_count vertex numbers of `from`; null when vertex_count is 0.
- * @param vertex_count    [in] length of vertices.
+ * @param vertex_count    [in] length of vertices, at most the vertices of `from`.
  * @param to              [in] not null.
  * @param max_distance_mm [in] farther vertices stay out; 0 or below: no limit.
  * @param dst             [out] room for capacity vertex numbers of `to`, or null.

@@ -16,7 +16,7 @@ REAL = {"double", "float"}
 WHOLE = {"int32_t", "uint32_t", "int64_t", "uint64_t", "size_t", "uint8_t", "mien_status", "mien_dtype"}
 
 
-def kind_of(parameter, following, interface):
+def kind_of(parameter, function, interface):
     """The abuse that a parameter's type calls for (enum Kind in abuse.hpp)."""
     structs = {s.name for s in interface.structs}
     kind = parameter.type
@@ -39,7 +39,9 @@ def kind_of(parameter, following, interface):
     if stars == 1:
         if parameter.name.endswith("user"):
             return "user"
-        return "array_out" if following and following.name == "capacity" else "value_out"
+        # Several arrays may share one capacity; what counts them stands alone.
+        shares = any(p.name == "capacity" for p in function.parameters) and not parameter.name.endswith("count")
+        return "array_out" if shares else "value_out"
     if base in REAL:
         return "real"
     if base in WHOLE:
@@ -86,8 +88,7 @@ def main():
         lines.append(f'    {{"{struct.name}", sizeof({struct.name}), alignof({struct.name}), {sized}, {init}, {{{fields}}}}},')
     lines += ["};", "", "const FunctionRow kFunctions[] = {"]
     for f in interface.functions:
-        following = f.parameters[1:] + [None]
-        kinds = [kind_of(p, q, interface) for p, q in zip(f.parameters, following)]
+        kinds = [kind_of(p, f, interface) for p in f.parameters]
         call = f"{f.name}({', '.join(argument(i, p, k) for i, (p, k) in enumerate(zip(f.parameters, kinds)))})"
         if f.result == "mien_status":
             body, result = f"return {call};", "status"

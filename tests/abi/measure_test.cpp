@@ -25,7 +25,7 @@ TEST(Measure, VolumeOfARaisedSquareAndItsZone) {
     Session session;
     const Mesh before = raised_square(session, 0), after = raised_square(session, 2);
     const uint32_t corner[] = {1};
-    const mien_measure_zone zone{"corner", corner, 1};
+    const mien_zone zone{"corner", corner, 1};
     const double sd[] = {0.1, 0.1, 0.1, 0.1};
     mien_measure_options options;
     mien_measure_options_init(&options, sizeof options);
@@ -92,7 +92,7 @@ TEST(Measure, RefusesWrongInputAndStaysUsable) {
     mien_measure_options options;
     mien_measure_options_init(&options, sizeof options);
     const uint32_t outside[] = {4};
-    const mien_measure_zone zone{"far", outside, 1};
+    const mien_zone zone{"far", outside, 1};
     options.zones = &zone;
     options.zone_count = 1;
     EXPECT_EQ(MIEN_E_MISMATCH, mien_measure_volume(session, mesh.get(), mesh.get(), &options, &m, &error));
@@ -114,6 +114,27 @@ TEST(Measure, RefusesWrongInputAndStaysUsable) {
     mien_zone_volume short_struct{};
     EXPECT_EQ(MIEN_E_INVALID_ARGUMENT, mien_measurement_get_volume(m, MIEN_ZONE_WHOLE, &short_struct, &error));
     mien_measurement_release(m);
+}
+
+// A count that no zone of the surface can have would be followed off the end of the host's array.
+TEST(AbiMeasure, AZoneLongerThanItsSurfaceIsRefusedUnread) {
+    Session session;
+    const Mesh mesh = make_square(session);
+    const uint32_t corner[] = {0};
+    const mien_zone zone{"endless", corner, 0x7fffffff};
+    mien_error error = fresh_error();
+    double area = 0;
+    EXPECT_EQ(MIEN_E_INVALID_ARGUMENT, mien_measure_area(session, mesh.get(), &zone, &area, &error));
+    EXPECT_NE(nullptr, std::strstr(error.message, "endless"));
+    uint32_t inside[4];
+    EXPECT_EQ(MIEN_E_INVALID_ARGUMENT, mien_surface_transfer_zone(session, mesh.get(), corner, 0x7fffffff, mesh.get(),
+                                                                  0, inside, 4, nullptr, nullptr));
+    mien_model* model = nullptr;
+    mien_model_options options;
+    mien_model_options_init(&options, sizeof options);
+    options.zones = &zone;
+    options.zone_count = 1;
+    EXPECT_EQ(MIEN_E_INVALID_ARGUMENT, mien_model_build(session, mesh.get(), &options, &model, nullptr));
 }
 
 }  // namespace

@@ -208,6 +208,32 @@ TEST(AbiModel, WrongOptionsAreTypedErrorsAndTheSessionStillWorks) {
     EXPECT_EQ(MIEN_E_INVALID_HANDLE, mien_model_get_json(nullptr, nullptr, 0, nullptr, nullptr));
 }
 
+TEST(AbiModel, ValuesThatTheChosenKernelDoesNotReadMustStillBeNumbers) {
+    Session session;
+    const Mesh grid = make_grid(session);
+    for (double mien_model_options::*field : {&mien_model_options::nu, &mien_model_options::pca_variance}) {
+        mien_model_options options = small_options();
+        options.*field = std::numeric_limits<double>::quiet_NaN();
+        mien_model* model = nullptr;
+        EXPECT_EQ(MIEN_E_INVALID_ARGUMENT, mien_model_build(session, grid.get(), &options, &model, nullptr));
+    }
+}
+
+TEST(AbiModel, ReservedFieldsAndAlignmentOfArraysOfStructsAreChecked) {
+    Session session;
+    const Model model = build(session, small_options());
+    mien_model* out = nullptr;
+    mien_landmark_observation seen[2] = {{"nose", 0, 0, {50, 50, 3}, 1}, {"nose", 0, 7, {50, 50, 3}, 1}};
+    EXPECT_EQ(MIEN_E_UNSUPPORTED_OPTION, mien_model_condition(session, model.get(), seen, 2, &out, nullptr));
+    const auto* crooked = reinterpret_cast<const mien_landmark_observation*>(reinterpret_cast<const char*>(seen) + 1);
+    EXPECT_EQ(MIEN_E_INVALID_ARGUMENT, mien_model_condition(session, model.get(), crooked, 1, &out, nullptr));
+    mien_landmark nose{"nose", 60, 1};
+    mien_model_options options = small_options();
+    options.landmarks = &nose;
+    options.landmark_count = 1;
+    EXPECT_EQ(MIEN_E_UNSUPPORTED_OPTION, mien_model_build(session, make_grid(session).get(), &options, &out, nullptr));
+}
+
 TEST(AbiModel, CancelsAtEveryProgressPoint) {
     Session session;
     struct Counter {

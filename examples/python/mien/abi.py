@@ -141,6 +141,14 @@ class ArrayView(ctypes.Structure):
     ]
 
 
+class Zone(ctypes.Structure):
+    _fields_ = [
+        ("name", ctypes.c_char_p),
+        ("vertices", ctypes.c_void_p),
+        ("vertex_count", ctypes.c_uint64),
+    ]
+
+
 class MeshArrays(ctypes.Structure):
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
@@ -167,14 +175,6 @@ class Landmark(ctypes.Structure):
         ("name", ctypes.c_char_p),
         ("vertex", ctypes.c_uint32),
         ("reserved", ctypes.c_uint32),
-    ]
-
-
-class Zone(ctypes.Structure):
-    _fields_ = [
-        ("name", ctypes.c_char_p),
-        ("vertices", ctypes.c_void_p),
-        ("vertex_count", ctypes.c_uint64),
     ]
 
 
@@ -381,19 +381,11 @@ class EvaluateOptions(ctypes.Structure):
     ]
 
 
-class MeasureZone(ctypes.Structure):
-    _fields_ = [
-        ("name", ctypes.c_char_p),
-        ("vertices", ctypes.c_void_p),
-        ("vertex_count", ctypes.c_uint64),
-    ]
-
-
 class MeasureOptions(ctypes.Structure):
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("skip_borders", ctypes.c_int32),
-        ("zones", ctypes.POINTER(MeasureZone)),
+        ("zones", ctypes.POINTER(Zone)),
         ("zone_count", ctypes.c_uint64),
         ("before_sd", ArrayView),
         ("after_sd", ArrayView),
@@ -616,9 +608,9 @@ SIGNATURES = {
     "mien_measure_distance": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(MeasureOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_measure_surface_distance": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(MeasureOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_measure_closed_volume": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_measure_area": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(MeasureZone), ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_measure_area": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Zone), ctypes.c_void_p, ctypes.POINTER(Error)]),
     "mien_measure_scan_volume": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.POINTER(MeasureOptions), ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_measure_align": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(MeasureZone), ctypes.POINTER(ZoneAlignment), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_measure_align": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Zone), ctypes.POINTER(ZoneAlignment), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_measurement_get_zones": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
     "mien_measurement_get_volume": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.POINTER(ZoneVolume), ctypes.POINTER(Error)]),
     "mien_measurement_get_distance": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.POINTER(ZoneDistance), ctypes.POINTER(Error)]),

@@ -88,7 +88,7 @@ class Measurement {
                             const Mesh& after, const MeasureOptions& settings) {
         mien_measure_options options;
         mien_measure_options_init(&options, sizeof options);
-        std::vector<mien_measure_zone> zones;
+        std::vector<mien_zone> zones;
         for (const MeasureZone& zone : settings.zones)
             zones.push_back({zone.name.c_str(), zone.vertices.data(), zone.vertices.size()});
         options.zones = zones.data();
@@ -122,7 +122,7 @@ class Measurement {
 /// Moves a face rigidly onto another by a zone that has not changed; an empty zone means all vertices.
 inline Mesh align_on_zone(const Session& session, const Mesh& moving, const Mesh& target,
                           const std::vector<std::uint32_t>& stable, mien_zone_alignment* info = nullptr) {
-    const mien_measure_zone zone{"stable", stable.data(), stable.size()};
+    const mien_zone zone{"stable", stable.data(), stable.size()};
     mien_zone_alignment local{};
     local.struct_size = sizeof local;
     mien_mesh* mesh = nullptr;
@@ -147,7 +147,7 @@ inline double area_mm2(const Session& session, const Mesh& mesh) {
     return area;
 }
 inline double area_mm2(const Session& session, const Mesh& mesh, const MeasureZone& zone) {
-    const mien_measure_zone view{zone.name.c_str(), zone.vertices.data(), zone.vertices.size()};
+    const mien_zone view{zone.name.c_str(), zone.vertices.data(), zone.vertices.size()};
     double area = 0.0;
     detail::call(mien_measure_area, session.get(), mesh.get(), &view, &area);
     return area;

@@ -139,7 +139,7 @@ std::vector<Attempt> wrong_arguments(const Fixtures& fixtures, const ParameterRo
         case Kind::handle_out:
         case Kind::value_out:
         case Kind::view_out: pointer("null", nullptr, !parameter.nullable); break;
-        case Kind::array_out: pointer("null with a capacity", nullptr, true); break;
+        case Kind::array_out: pointer("null with a capacity", nullptr, false); break;
         case Kind::whole:
             whole("0", 0);
             whole("-1", -1);
@@ -193,7 +193,8 @@ void abuse_parameters(Fixtures& fixtures, Verdict& verdict) {
         for (std::size_t i = 0; complete && i < row.parameters.size(); ++i) {
             if (row.parameters[i].kind != Kind::array_out) continue;
             fixtures.good_arguments(row, good);
-            good[i + 1].whole = 1;
+            for (std::size_t k = i; k < row.parameters.size(); ++k)
+                if (std::string(row.parameters[k].name) == "capacity") good[k].whole = 1;
             auto* bytes = static_cast<unsigned char*>(good[i].pointer);
             std::memset(bytes, 0x5A, 4096);
             if (observed_call(row, good, "capacity 1", verdict) < 0)
