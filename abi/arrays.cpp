@@ -28,7 +28,7 @@ void read_any(const mien_array_view& view, int columns, const char* name, double
 
 /// Writes the count; true when dst is to be filled.
 bool wants_copy(std::uint64_t rows, const void* dst, std::uint64_t capacity, std::uint64_t* count) {
-    if (count != nullptr) *count = rows;
+    store(count, rows);
     if (dst == nullptr && capacity == 0) return false;
     if (dst == nullptr) fail(Status::invalid_argument, "dst is null, capacity is not 0");
     if (capacity < rows)
@@ -130,6 +130,7 @@ void copy_doubles(const double* source, std::uint64_t rows, std::uint64_t column
         return;
     }
     auto* out = static_cast<float*>(dst);
+    check_output(out, "dst");
     for (std::uint64_t i = 0; i < values; ++i) out[i] = static_cast<float>(source[i]);
 }
 

@@ -37,6 +37,21 @@ std::vector<T> read_array(const T* data, std::uint64_t count, std::uint64_t most
     check_array(data, count, alignof(T), most, name);
     return count == 0 ? std::vector<T>() : std::vector<T>(data, data + count);
 }
+/// Writes a number that a host asked for; a null `out` asks for none. Byte by byte: a misaligned `out` gets
+/// its number too.
+template <typename T, typename Value>
+void store(T* out, const Value& value) {
+    if (out == nullptr) return;
+    const T converted = static_cast<T>(value);
+    std::memcpy(static_cast<void*>(out), &converted, sizeof converted);
+}
+/// Throws for an array to be written that is misaligned; null is allowed.
+template <typename T>
+void check_output(const T* out, const char* name) {
+    if (reinterpret_cast<std::uintptr_t>(out) % alignof(T) != 0)
+        fail(Status::invalid_argument, "%s is not aligned to its values", name);
+}
+
 /// A set of vertices of a surface with num_vertices: never more numbers than that. Whether each is in
 /// range is for the core to say.
 std::vector<std::uint32_t> read_vertices(const std::uint32_t* vertices, std::uint64_t count,

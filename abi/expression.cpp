@@ -43,6 +43,9 @@ mien_neutralize_options default_neutralize_options() {
 NeutralizeMeshOptions read_neutralize_options(const mien_neutralize_options& given) {
     check_fit(given.method, "options.method");
     check_pose(given.pose);
+    check_numbers({{"tolerance_mm", given.tolerance_mm},
+                   {"noise_mm2", given.noise_mm2},
+                   {"decay_mm", given.decay_mm}});
     if (given.reserved != 0) fail(Status::unsupported_option, "options.reserved is not zero");
     if (given.uncertainty != 0 && given.uncertainty != 1)
         fail(Status::invalid_argument, "options.uncertainty is %d, allowed are 0 and 1",
@@ -59,6 +62,7 @@ NeutralizeMeshOptions read_neutralize_options(const mien_neutralize_options& giv
 }
 
 Vector read_coordinates(const mien_array_view* view, const char* name) {
+    check_output(view, name);
     return view == nullptr || view->count == 0 ? Vector() : read_values(*view, name);
 }
 
@@ -118,6 +122,9 @@ TrainOptions read_train_options(const mien_train_options& given) {
     if (given.method != MIEN_TRAIN_JPCA && given.method != MIEN_TRAIN_QOJPCA)
         fail(Status::invalid_argument, "options.method is %d; use MIEN_TRAIN_JPCA or MIEN_TRAIN_QOJPCA",
              given.method);
+    check_numbers({{"lambda", given.lambda},
+                   {"lambda_factor", given.lambda_factor},
+                   {"angle_tolerance_rad", given.angle_tolerance_rad}});
     if (!(given.noise_mm2 >= 0) || !(given.noise_mm2 < 1e12))
         fail(Status::invalid_argument, "options.noise_mm2 must be finite and not negative");
     options.subspaces.method = static_cast<TrainMethod>(given.method);
@@ -199,11 +206,9 @@ mien_status MIEN_CALL mien_expression_model_get_counts(const mien_expression_mod
                                                        uint32_t* expression_modes, mien_error* error) {
     return guarded(error, [&] {
         const ExpressionModel& data = *checked(model, "model").model;
-        if (vertex_count != nullptr) *vertex_count = static_cast<uint64_t>(data.num_vertices());
-        if (identity_modes != nullptr)
-            *identity_modes = static_cast<uint32_t>(data.num_identity_modes());
-        if (expression_modes != nullptr)
-            *expression_modes = static_cast<uint32_t>(data.num_expression_modes());
+        store(vertex_count, data.num_vertices());
+        store(identity_modes, data.num_identity_modes());
+        store(expression_modes, data.num_expression_modes());
     });
 }
 
@@ -366,6 +371,8 @@ mien_status MIEN_CALL mien_neutralization_get_coordinates(const mien_neutralizat
                                                           mien_error* error) {
     return guarded(error, [&] {
         const NeutralizationResult& result = checked(neutralization, "neutralization").result;
+        check_output(identity, "identity");
+        check_output(expression, "expression");
         if (identity != nullptr)
             std::copy_n(result.identity.data(), result.identity.size(), identity);
         if (expression != nullptr)

@@ -33,6 +33,9 @@ mien_series_options default_series_options() {
 SeriesOptions read_series_options(const mien_series_options& given, Index num_vertices) {
     check_fit(given.method, "options.method");
     check_pose(given.pose);
+    check_numbers({{"scan_noise_share", given.scan_noise_share},
+                   {"noise_mm2", given.noise_mm2},
+                   {"expected_change_mm", given.expected_change_mm}});
     if (given.reserved != 0) fail(Status::unsupported_option, "options.reserved is not zero");
     SeriesOptions options;
     options.method = static_cast<FitMethod>(given.method);

@@ -4,7 +4,7 @@ namespace mien::abi {
 
 void write_error(mien_error* error, mien_status status, std::int64_t detail_index,
                  const char* message) noexcept {
-    if (error == nullptr) return;
+    if (error == nullptr || reinterpret_cast<std::uintptr_t>(error) % alignof(mien_error) != 0) return;
     const std::size_t size = error->struct_size;
     if (size >= offsetof(mien_error, status) + sizeof error->status) error->status = status;
     if (size >= offsetof(mien_error, detail_index) + sizeof error->detail_index)

@@ -79,10 +79,12 @@ mien_status guarded(mien_error* error, Body&& body) noexcept {
 /// The same for functions that make a handle: *out is null unless the body returns one.
 template <typename Handle, typename Body>
 mien_status guarded_create(Handle** out, mien_error* error, Body&& body) noexcept {
-    if (out != nullptr) *out = nullptr;
+    // Byte by byte: a misaligned `out` gets its handle too.
+    const auto set = [out](Handle* made) { std::memcpy(static_cast<void*>(out), &made, sizeof made); };
+    if (out != nullptr) set(nullptr);
     return guarded(error, [&] {
         if (out == nullptr) fail(Status::invalid_argument, "out is null");
-        *out = body();
+        set(body());
     });
 }
 

@@ -26,7 +26,7 @@ struct mien_measurement : Object {
 
 namespace {
 
-mien_measure_options default_options() {
+mien_measure_options default_measure_options() {
     mien_measure_options options{};
     options.skip_borders = 1;
     options.correlation_length_mm = 10.0;
@@ -35,7 +35,7 @@ mien_measure_options default_options() {
 
 mien_measure_options read_measure_options(const mien_measure_options* given) {
     const mien_measure_options options = read_options(
-        given, default_options(), MIEN_FIRST_SIZE(mien_measure_options, cancel), "options");
+        given, default_measure_options(), MIEN_FIRST_SIZE(mien_measure_options, cancel), "options");
     if (options.skip_borders != 0 && options.skip_borders != 1)
         fail(Status::unsupported_option, "options.skip_borders is %d, allowed are 0 and 1",
              options.skip_borders);
@@ -81,18 +81,6 @@ std::optional<VolumeErrorModel> read_errors(const mien_measure_options& options)
     return known ? std::optional<VolumeErrorModel>(errors) : std::nullopt;
 }
 
-/// Copies a struct out within the caller's struct_size, which is kept.
-template <typename Struct>
-void write_struct(Struct* out, Struct value, std::size_t minimum_size) {
-    if (out == nullptr) fail(Status::invalid_argument, "out is null");
-    const std::size_t size = out->struct_size;
-    if (size < minimum_size || size > 4096)
-        fail(Status::invalid_argument, "out.struct_size is %zu; set it to the struct's size first", size);
-    value.struct_size = static_cast<std::uint32_t>(size);
-    if (size > sizeof value) std::memset(static_cast<void*>(out), 0, size);
-    std::memcpy(static_cast<void*>(out), &value, std::min(size, sizeof value));
-}
-
 mien_measurement* finish_distance(DistanceReport&& report, const std::vector<Zone>& zones) {
     Measurement result;
     for (const Zone& zone : zones) result.zone_names.push_back(zone.name);
@@ -105,7 +93,7 @@ mien_measurement* finish_distance(DistanceReport&& report, const std::vector<Zon
 extern "C" {
 
 void MIEN_CALL mien_measure_options_init(mien_measure_options* options, size_t struct_size) {
-    write_defaults(options, struct_size, default_options());
+    write_defaults(options, struct_size, default_measure_options());
 }
 
 mien_status MIEN_CALL mien_measure_volume(mien_session* session, const mien_mesh* before,
@@ -165,9 +153,10 @@ mien_status MIEN_CALL mien_measure_closed_volume(mien_session* session, const mi
         if (volume_ml == nullptr) fail(Status::invalid_argument, "volume_ml is null");
         if (close_rims != 0 && close_rims != 1)
             fail(Status::invalid_argument, "close_rims is %d, allowed are 0 and 1", close_rims);
-        *volume_ml = closed_volume_ml(data.vertices, data.triangles,
-                                      close_rims == 1 ? OpenRims::fan_to_centroid : OpenRims::refuse,
-                                      call.context());
+        const double volume = closed_volume_ml(
+            data.vertices, data.triangles, close_rims == 1 ? OpenRims::fan_to_centroid : OpenRims::refuse,
+            call.context());
+        store(volume_ml, volume);
     });
 }
 
@@ -178,10 +167,10 @@ mien_status MIEN_CALL mien_measure_area(mien_session* session, const mien_mesh* 
         const TriMesh& data = *checked(mesh, "mesh").mesh;
         const Call call(session);
         if (area_mm2 == nullptr) fail(Status::invalid_argument, "area_mm2 is null");
-        if (zone == nullptr)
-            *area_mm2 = surface_area_mm2(data.vertices, data.triangles);
-        else
-            *area_mm2 = zone_areas(data.vertices, data.triangles, {checked_zone(zone, data)}).front().area_mm2;
+        store(area_mm2,
+              zone == nullptr
+                  ? surface_area_mm2(data.vertices, data.triangles)
+                  : zone_areas(data.vertices, data.triangles, {checked_zone(zone, data)}).front().area_mm2);
     });
 }
 
@@ -196,6 +185,7 @@ mien_status MIEN_CALL mien_measure_scan_volume(mien_session* session, const mien
         const Call call(session, given.progress, given.progress_user, given.cancel);
         if (carry < MIEN_CARRY_CLOSEST_POINT || carry > MIEN_CARRY_VERTEX_NORMAL)
             fail(Status::unsupported_option, "carry is %d, which is unknown", carry);
+        check_output(direction, "direction");
         if (carry == MIEN_CARRY_DIRECTION && direction == nullptr)
             fail(Status::invalid_argument, "direction is null");
         ScanVolumeOptions settings;
@@ -206,7 +196,7 @@ mien_status MIEN_CALL mien_measure_scan_volume(mien_session* session, const mien
         ScanVolumeReport report = measure_scan_volume(first, second, settings, call.context());
         Measurement result = measurement_of(report, given.limit_of_detection_ml);
         auto made = std::make_unique<mien_measurement>(std::move(result));
-        if (coverage != nullptr) *coverage = report.whole_coverage;
+        store(coverage, report.whole_coverage);
         return made.release();
     });
 }
@@ -248,8 +238,8 @@ mien_status MIEN_CALL mien_measurement_get_zones(const mien_measurement* measure
                                                  mien_error* error) {
     return guarded(error, [&] {
         const Measurement& data = checked(measurement, "measurement").data;
-        if (zone_count != nullptr) *zone_count = static_cast<uint32_t>(data.zone_names.size());
-        if (zones_disjoint != nullptr) *zones_disjoint = !data.volume || data.volume->zones_disjoint ? 1 : 0;
+        store(zone_count, data.zone_names.size());
+        store(zones_disjoint, !data.volume || data.volume->zones_disjoint ? 1 : 0);
     });
 }
 

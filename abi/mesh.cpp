@@ -78,8 +78,8 @@ mien_status MIEN_CALL mien_mesh_get_counts(const mien_mesh* mesh, uint64_t* vert
                                            uint64_t* triangle_count, mien_error* error) {
     return guarded(error, [&] {
         const TriMesh& data = *checked(mesh, "mesh").mesh;
-        if (vertex_count != nullptr) *vertex_count = static_cast<uint64_t>(data.vertices.rows());
-        if (triangle_count != nullptr) *triangle_count = static_cast<uint64_t>(data.triangles.rows());
+        store(vertex_count, data.vertices.rows());
+        store(triangle_count, data.triangles.rows());
     });
 }
 
@@ -113,8 +113,8 @@ mien_status MIEN_CALL mien_mesh_positions_view(const mien_mesh* mesh, const doub
     return guarded(error, [&] {
         const Points& points = checked(mesh, "mesh").mesh->vertices;
         if (data == nullptr) fail(Status::invalid_argument, "data is null");
-        *data = points.data();
-        if (count != nullptr) *count = static_cast<uint64_t>(points.rows());
+        store(data, points.data());
+        store(count, points.rows());
     });
 }
 

@@ -256,9 +256,9 @@ mien_status MIEN_CALL mien_model_get_counts(const mien_model* model, uint64_t* v
                                             mien_error* error) {
     return guarded(error, [&] {
         const DeformationModel& data = *checked(model, "model").model;
-        if (vertex_count != nullptr) *vertex_count = static_cast<uint64_t>(data.num_vertices());
-        if (scalar_modes != nullptr) *scalar_modes = static_cast<uint64_t>(data.basis.cols);
-        if (vector_modes != nullptr) *vector_modes = static_cast<uint64_t>(data.pca_modes.cols);
+        store(vertex_count, data.num_vertices());
+        store(scalar_modes, data.basis.cols);
+        store(vector_modes, data.pca_modes.cols);
     });
 }
 

@@ -51,6 +51,20 @@ Options read_options(const Options* options, const Options& defaults, std::size_
     return merged;
 }
 
+/// Copies a struct out within the caller's struct_size, which is kept; minimum_size as above.
+template <typename Struct>
+void write_struct(Struct* out, Struct value, std::size_t minimum_size, const char* name = "out") {
+    if (out == nullptr) fail(Status::invalid_argument, "%s is null", name);
+    if (reinterpret_cast<std::uintptr_t>(out) % alignof(Struct) != 0)
+        fail(Status::invalid_argument, "%s is misaligned", name);
+    const std::size_t size = out->struct_size;
+    if (size < minimum_size || size > 4096)
+        fail(Status::invalid_argument, "%s.struct_size is %zu; set it to the struct's size first", name, size);
+    value.struct_size = static_cast<std::uint32_t>(size);
+    if (size > sizeof value) std::memset(static_cast<void*>(out), 0, size);
+    std::memcpy(static_cast<void*>(out), &value, std::min(size, sizeof value));
+}
+
 /// Refuses what is not a number, also where a call would not read it: such a value is a mistake of the
 /// host's.
 struct NamedNumber {

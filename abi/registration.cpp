@@ -22,7 +22,7 @@ namespace {
 // The radius that holds 95 of 100 places for equal errors on three axes: sqrt of chi-squared(3).
 constexpr double kRadius95 = 2.7955;
 
-mien_register_options default_options() {
+mien_register_options default_register_options() {
     const RegistrationOptions core;
     mien_register_options options{};
     options.growth = static_cast<std::int32_t>(core.growth);
@@ -52,6 +52,13 @@ RegistrationOptions convert(const mien_register_options& given) {
     require_range(given.close_gap, 0, 1, "close_gap");
     require_range(given.reject_border, 0, 1, "reject_border");
     require_range(given.iterations, 0, 10000, "iterations");
+    check_numbers({{"landmark_sigma_mm", given.landmark_sigma_mm},
+                   {"sigma_start_mm", given.sigma_start_mm},
+                   {"sigma_end_mm", given.sigma_end_mm},
+                   {"max_angle_deg", given.max_angle_deg},
+                   {"start_scale", given.start_scale}});
+    for (const double number : given.start_rotation) check_numbers({{"start_rotation", number}});
+    for (const double number : given.start_translation) check_numbers({{"start_translation", number}});
     RegistrationOptions options;
     options.growth = static_cast<ModeGrowth>(given.growth);
     options.start = static_cast<StartKind>(given.start);
@@ -96,7 +103,7 @@ std::vector<LandmarkPoint> read_landmarks(const mien_register_options& given) {
 extern "C" {
 
 void MIEN_CALL mien_register_options_init(mien_register_options* options, size_t struct_size) {
-    write_defaults(options, struct_size, default_options());
+    write_defaults(options, struct_size, default_register_options());
 }
 
 mien_status MIEN_CALL mien_register(mien_session* session, const mien_model* model, const mien_mesh* scan,
@@ -104,7 +111,7 @@ mien_status MIEN_CALL mien_register(mien_session* session, const mien_model* mod
                                     mien_error* error) {
     return guarded_create(out, error, [&] {
         const mien_register_options given = read_options(
-            options, default_options(), MIEN_FIRST_SIZE(mien_register_options, cancel), "options");
+            options, default_register_options(), MIEN_FIRST_SIZE(mien_register_options, cancel), "options");
         const DeformationModel& face = *checked(model, "model").model;
         const TriMesh& data = *checked(scan, "scan").mesh;
         const Call call(session, given.progress, given.progress_user, given.cancel);
@@ -121,12 +128,7 @@ mien_status MIEN_CALL mien_registration_get_verdict(const mien_registration* reg
                                                     mien_fit_verdict* out, mien_error* error) {
     return guarded(error, [&] {
         const Verdict& verdict = checked(registration, "registration").data.verdict;
-        if (out == nullptr) fail(Status::invalid_argument, "out is null");
-        const std::size_t size = out->struct_size;
-        if (size < MIEN_FIRST_SIZE(mien_fit_verdict, self_intersections) || size > 4096)
-            fail(Status::invalid_argument, "out.struct_size is %zu; set it to the struct's size first", size);
         mien_fit_verdict value{};
-        value.struct_size = static_cast<std::uint32_t>(size);
         value.quality = static_cast<std::int32_t>(verdict.quality);
         value.coverage = verdict.coverage;
         value.inlier_share = verdict.inlier_share;
@@ -139,8 +141,7 @@ mien_status MIEN_CALL mien_registration_get_verdict(const mien_registration* reg
         value.landmarks_rejected = static_cast<std::int32_t>(verdict.landmarks_rejected.size());
         value.flipped_triangles = verdict.flipped_triangles;
         value.self_intersections = verdict.self_intersections;
-        if (size > sizeof value) std::memset(static_cast<void*>(out), 0, size);
-        std::memcpy(static_cast<void*>(out), &value, std::min(size, sizeof value));
+        write_struct(out, value, MIEN_FIRST_SIZE(mien_fit_verdict, self_intersections));
     });
 }
 
@@ -172,11 +173,13 @@ mien_status MIEN_CALL mien_registration_get_correspondence(const mien_registrati
                                                            mien_error* error) {
     return guarded(error, [&] {
         const std::vector<SurfaceHit>& hits = checked(registration, "registration").data.correspondence;
-        if (count != nullptr) *count = hits.size();
+        store(count, hits.size());
         if (triangles == nullptr && barycentric == nullptr && capacity == 0) return;
         if (capacity < hits.size())
             fail(Status::buffer_too_small, "capacity is %llu, %zu rows are needed",
                  static_cast<unsigned long long>(capacity), hits.size());
+        check_output(triangles, "triangles");
+        check_output(barycentric, "barycentric");
         for (std::size_t i = 0; i < hits.size(); ++i) {
             if (triangles != nullptr) triangles[i] = hits[i].triangle;
             if (barycentric != nullptr)
@@ -190,6 +193,7 @@ mien_status MIEN_CALL mien_registration_get_motion(const mien_registration* regi
     return guarded(error, [&] {
         const Similarity& motion = checked(registration, "registration").data.motion;
         if (matrix == nullptr) fail(Status::invalid_argument, "matrix is null");
+        check_output(matrix, "matrix");
         for (int i = 0; i < 3; ++i) {
             for (int j = 0; j < 3; ++j) matrix[4 * i + j] = motion.scale * motion.rotation(i, j);
             matrix[4 * i + 3] = motion.translation[i];

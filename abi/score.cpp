@@ -21,7 +21,7 @@ struct mien_score_model : Object {
 
 namespace {
 
-mien_score_options default_options() {
+mien_score_options default_score_options() {
     const ScoreOptions core;
     mien_score_options options{};
     options.method = MIEN_PLS_NIPALS;
@@ -38,6 +38,10 @@ ScoreOptions read_score_options(const mien_score_options& given, Index num_verti
     if (given.reserved != 0) fail(Status::unsupported_option, "options.reserved is not zero");
     if (given.method != MIEN_PLS_NIPALS && given.method != MIEN_PLS_SIMPLS)
         fail(Status::unsupported_option, "options.method is %d, which is unknown", given.method);
+    check_numbers({{"curvature_share", given.curvature_share},
+                   {"curvature_radius_mm", given.curvature_radius_mm},
+                   {"lowest", given.lowest},
+                   {"highest", given.highest}});
     ScoreOptions options;
     options.method = given.method == MIEN_PLS_SIMPLS ? PlsMethod::simpls : PlsMethod::nipals;
     options.num_components = given.num_components;
@@ -65,7 +69,7 @@ std::vector<double> read_list(const double* values, uint64_t count, const char* 
 extern "C" {
 
 void MIEN_CALL mien_score_options_init(mien_score_options* options, size_t struct_size) {
-    write_defaults(options, struct_size, default_options());
+    write_defaults(options, struct_size, default_score_options());
 }
 
 mien_status MIEN_CALL mien_score_model_train(mien_session* session, const char* dataset_path,
@@ -74,7 +78,7 @@ mien_status MIEN_CALL mien_score_model_train(mien_session* session, const char* 
                                              mien_error* error) {
     return guarded_create(out, error, [&] {
         const mien_score_options given = read_options(
-            options, default_options(), MIEN_FIRST_SIZE(mien_score_options, cancel), "options");
+            options, default_score_options(), MIEN_FIRST_SIZE(mien_score_options, cancel), "options");
         const Call call(session, given.progress, given.progress_user, given.cancel);
         const FaceDataset faces = FaceDataset::open(checked_text(dataset_path, "dataset_path"), {}, call.context());
         const ScoreOptions settings = read_score_options(given, faces.num_vertices());
@@ -111,20 +115,14 @@ mien_status MIEN_CALL mien_score_model_predict(mien_session* session, const mien
         const ScoreModel& data = *checked(model, "model").data;
         const TriMesh& mesh = *checked(face, "face").mesh;
         const Call call(session);
-        if (out == nullptr) fail(Status::invalid_argument, "out is null");
-        const std::size_t size = out->struct_size;
-        if (size < MIEN_FIRST_SIZE(mien_score_prediction, leverage) || size > 4096)
-            fail(Status::invalid_argument, "out.struct_size is %zu; set it to the struct's size first", size);
         const ScorePrediction prediction = predict_score(data, mesh.vertices, call.context());
         mien_score_prediction value{};
-        value.struct_size = static_cast<std::uint32_t>(size);
         value.extrapolates = prediction.extrapolates ? 1 : 0;
         value.score = prediction.score;
         value.low95 = prediction.low95;
         value.high95 = prediction.high95;
         value.leverage = prediction.leverage;
-        std::memset(static_cast<void*>(out), 0, size);
-        std::memcpy(static_cast<void*>(out), &value, std::min(size, sizeof value));
+        write_struct(out, value, MIEN_FIRST_SIZE(mien_score_prediction, leverage));
     });
 }
 

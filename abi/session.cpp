@@ -53,7 +53,7 @@ namespace {
 
 constexpr std::int32_t kMaxThreads = 256;
 
-mien_session_options default_options() {
+mien_session_options default_session_options() {
     mien_session_options options{};
     options.struct_size = sizeof options;
     options.num_threads = 1;
@@ -66,7 +66,7 @@ mien_session* create_session(std::uint32_t abi_version, const mien_session_optio
              "the program was built for Mien's ABI %u, this library (%s) offers %u", abi_version,
              MIEN_VERSION_STRING, MIEN_ABI_VERSION);
     const mien_session_options given = read_options(
-        options, default_options(), MIEN_FIRST_SIZE(mien_session_options, log_user), "options");
+        options, default_session_options(), MIEN_FIRST_SIZE(mien_session_options, log_user), "options");
     if (given.num_threads < 1 || given.num_threads > kMaxThreads)
         fail(Status::invalid_argument, "options.num_threads is %d, allowed are 1 to %d",
              given.num_threads, kMaxThreads);
@@ -90,7 +90,7 @@ mien_session* create_session(std::uint32_t abi_version, const mien_session_optio
 extern "C" {
 
 void MIEN_CALL mien_session_options_init(mien_session_options* options, size_t struct_size) {
-    write_defaults(options, struct_size, default_options());
+    write_defaults(options, struct_size, default_session_options());
 }
 
 mien_status MIEN_CALL mien_session_create(uint32_t abi_version, mien_session** out,

@@ -86,8 +86,7 @@ SpectralBasisOptions basis_settings(const mien_spectral_basis_options& given) {
 }
 
 std::vector<Index> read_limits(const std::uint64_t* limits, std::uint64_t count) {
-    if (count != 0 && limits == nullptr) fail(Status::invalid_argument, "limits is null");
-    if (count > 1000000) fail(Status::invalid_argument, "limit_count is too large");
+    check_array(limits, count, alignof(std::uint64_t), 1000000, "limits");
     std::vector<Index> result;
     for (std::uint64_t i = 0; i < count; ++i) result.push_back(as_index(limits[i]));
     return result;
@@ -159,6 +158,7 @@ mien_blendshape_options read_blendshape_options(const mien_blendshape_options* o
     const mien_blendshape_options given = read_options(
         options, mien_blendshape_options{}, MIEN_FIRST_SIZE(mien_blendshape_options, cancel), "options");
     if (given.reserved != 0) fail(Status::unsupported_option, "options.reserved is not zero");
+    check_numbers({{"ridge", given.ridge}});
     return given;
 }
 
@@ -204,8 +204,8 @@ mien_status MIEN_CALL mien_spectral_basis_get_counts(const mien_spectral_basis* 
                                                      mien_error* error) {
     return guarded(error, [&] {
         const SpectralBasis& data = *checked(basis, "basis").data;
-        if (vertex_count != nullptr) *vertex_count = static_cast<uint64_t>(data.num_vertices());
-        if (mode_count != nullptr) *mode_count = static_cast<uint64_t>(data.num_modes());
+        store(vertex_count, data.num_vertices());
+        store(mode_count, data.num_modes());
     });
 }
 
@@ -225,8 +225,8 @@ mien_status MIEN_CALL mien_spectral_split(mien_session* session, const mien_spec
                                           const mien_mesh* face, uint64_t k, mien_mesh** low,
                                           mien_mesh** high, mien_error* error) {
     return guarded(error, [&] {
-        if (low != nullptr) *low = nullptr;
-        if (high != nullptr) *high = nullptr;
+        store(low, nullptr);
+        store(high, nullptr);
         const SpectralBasis& data = *checked(basis, "basis").data;
         const TriMesh& mesh = *checked(face, "face").mesh;
         const Call call(session);
@@ -238,8 +238,8 @@ mien_status MIEN_CALL mien_spectral_split(mien_session* session, const mien_spec
             ~Guard() { release(mesh); }
         } first;
         if (low != nullptr) first.mesh = make_mesh(std::move(lower), data.mean_mesh.triangles);
-        if (high != nullptr) *high = make_mesh(std::move(higher), data.mean_mesh.triangles);
-        if (low != nullptr) *low = first.mesh;
+        if (high != nullptr) store(high, make_mesh(std::move(higher), data.mean_mesh.triangles));
+        store(low, first.mesh);
         first.mesh = nullptr;
     });
 }
@@ -293,11 +293,11 @@ mien_status MIEN_CALL mien_metric(mien_session* session, int32_t metric, const m
         const Call call(session);
         if (value == nullptr) fail(Status::invalid_argument, "value is null");
         switch (metric) {
-            case MIEN_METRIC_L1: *value = l1_distance(a.vertices, b.vertices); break;
-            case MIEN_METRIC_L2: *value = l2_distance(a.vertices, b.vertices); break;
-            case MIEN_METRIC_HAUSDORFF: *value = hausdorff_distance(a, b, call.context()); break;
-            case MIEN_METRIC_DAME: *value = dame(a, b, call.context()); break;
-            case MIEN_METRIC_FMPD: *value = fmpd(a, b, call.context()); break;
+            case MIEN_METRIC_L1: store(value, l1_distance(a.vertices, b.vertices)); break;
+            case MIEN_METRIC_L2: store(value, l2_distance(a.vertices, b.vertices)); break;
+            case MIEN_METRIC_HAUSDORFF: store(value, hausdorff_distance(a, b, call.context())); break;
+            case MIEN_METRIC_DAME: store(value, dame(a, b, call.context())); break;
+            case MIEN_METRIC_FMPD: store(value, fmpd(a, b, call.context())); break;
             default: fail(Status::invalid_argument, "metric is %d, allowed are 1 to 5", metric);
         }
     });
@@ -346,8 +346,8 @@ mien_status MIEN_CALL mien_representation_get_counts(const mien_representation* 
                                                      mien_error* error) {
     return guarded(error, [&] {
         const FaceFeatures& data = *checked(representation, "representation").data;
-        if (vertex_count != nullptr) *vertex_count = static_cast<uint64_t>(data.num_vertices());
-        if (channel_count != nullptr) *channel_count = static_cast<uint64_t>(data.num_channels());
+        store(vertex_count, data.num_vertices());
+        store(channel_count, data.num_channels());
     });
 }
 
@@ -365,6 +365,7 @@ mien_status MIEN_CALL mien_representation_encode(mien_session* session,
             copy_rows(nullptr, rows, row_bytes, dst, capacity, count);
             return;
         }
+        check_output(motion, "motion");
         Similarity onto_mean;
         const Features features = data.encode(mesh.vertices, &onto_mean, call.context());
         copy_rows(features.data(), rows, row_bytes, dst, capacity, count);
@@ -445,7 +446,7 @@ mien_status MIEN_CALL mien_hierarchy_get_level_count(const mien_hierarchy* hiera
     return guarded(error, [&] {
         const MeshHierarchy& data = *checked(hierarchy, "hierarchy").data;
         if (level_count == nullptr) fail(Status::invalid_argument, "level_count is null");
-        *level_count = static_cast<uint32_t>(data.levels.size());
+        store(level_count, data.levels.size());
     });
 }
 
@@ -582,6 +583,8 @@ mien_status MIEN_CALL mien_blendshape_model_search(
             fail(Status::invalid_argument, "candidates or choices is null");
         if (candidate_count < 1 || candidate_count > 10000)
             fail(Status::invalid_argument, "candidate_count is %u, allowed are 1 to 10000", candidate_count);
+        check_array(candidates, candidate_count, alignof(std::uint64_t), 10000, "candidates");
+        check_output(choices, "choices");
         std::vector<Index> tried;
         for (std::uint32_t i = 0; i < candidate_count; ++i) tried.push_back(as_index(candidates[i]));
         const DatasetPairs faces = open_pairs(dataset_path, expression, call.context());

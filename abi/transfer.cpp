@@ -36,11 +36,14 @@ mien_status MIEN_CALL mien_surface_transfer_points(mien_session* session, const 
             if (!places.row(i).allFinite())
                 fail_at(Status::invalid_argument, i, "point %lld is not finite", static_cast<long long>(i));
         const std::uint64_t rows = static_cast<std::uint64_t>(places.rows());
-        if (count != nullptr) *count = rows;
+        store(count, rows);
         if (triangles == nullptr && barycentric == nullptr && positions == nullptr && capacity == 0) return;
         if (capacity < rows)
             fail(Status::buffer_too_small, "capacity is %llu, %llu rows are needed",
                  static_cast<unsigned long long>(capacity), static_cast<unsigned long long>(rows));
+        check_output(triangles, "triangles");
+        check_output(barycentric, "barycentric");
+        check_output(positions, "positions");
         if (rows == 0) return;
         const TriangleTree tree(mesh.vertices, mesh.triangles, call.context());
         std::vector<SurfaceHit> hits;

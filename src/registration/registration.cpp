@@ -316,6 +316,9 @@ RegistrationResult register_scan(const DeformationModel& model, const TriMesh& r
     result.residual_mm.resize(n);
     for (Index i = 0; i < n; ++i) {
         SurfaceHit& hit = result.correspondence[static_cast<std::size_t>(i)];
+        if (!hit.valid())  // farther than any distance: an absurd start pose, or a fit that blew up
+            fail_at(Status::no_solution, i,
+                    "registration: the fit ended beyond reach of the scan; check the start pose and the unit");
         const double side = normals.row(i).dot(hit.point.transpose() - state.places.row(i));
         result.residual_mm[i] = side < 0 ? -hit.distance() : hit.distance();
     }

@@ -73,19 +73,36 @@ class Fixtures {
     void* handle(const std::string& type) const;
     /// A live object of any other type.
     void* other_handle(const std::string& type) const;
-    /// A struct filled so that a call with it can succeed, `extra` zero bytes behind it.
-    std::vector<std::uint64_t> structure(const StructRow& row, std::size_t extra = 0) const;
+    /// A struct filled so that a call with it can succeed, `extra` zero bytes behind it. The role is the
+    /// parameter's name.
+    std::vector<std::uint64_t> structure(const StructRow& row, std::size_t extra = 0,
+                                         const std::string& role = std::string()) const;
     /// Good values for all parameters of a function; false when a handle is missing.
     bool good_arguments(const FunctionRow& row, std::vector<Argument>& arguments);
 
-    static constexpr int kSide = 12, kVertices = kSide * kSide;
+    static constexpr int kSide = 12, kVertices = kSide * kSide, kFaces = 16;
+    static constexpr const char* kDataset = "abuse_faces.safetensors";
 
   private:
+    void write_files(mien_session* session) const;
+    std::vector<double> face(int subject, int expression) const;
     std::vector<std::pair<std::string, void*>> handles_;
+    void* distances_ = nullptr;
+    std::uint32_t identity_modes_ = 0, expression_modes_ = 0;
     std::vector<double> positions_;
     std::vector<std::uint32_t> triangles_, zone_;
     std::vector<std::vector<std::uint64_t>> kept_;  // structs and outputs of the last good_arguments()
 };
+
+// good_values.cpp: what a careful host would give.
+const char* good_text(const FunctionRow& row, const std::string& name);
+std::int64_t good_whole(const FunctionRow& row, const std::string& name);
+double good_real(const std::string& name);
+void fill_array(const std::string& name, const std::string& type, std::vector<std::uint64_t>& words);
+void shrink_settings(const StructRow& row, std::vector<std::uint64_t>& words);
+/// Long calls end here: abuse may ask for millions of rounds. begin_call() starts the clock.
+std::int32_t MIEN_CALL stop_late(void*, std::int32_t, double);
+void begin_call();
 
 /// Faults found so far; each is printed once at the end.
 class Verdict {

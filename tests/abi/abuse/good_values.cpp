@@ -1,0 +1,124 @@
+// What each parameter and setting would be given by a careful host: abuse changes one of them at a time.
+#include <chrono>
+#include <cstring>
+#include <deque>
+
+#include "abuse.hpp"
+
+namespace abuse {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+Clock::time_point call_began;
+
+struct Setting {
+    const char *structure, *field;
+    std::int32_t value;
+};
+
+/// Small models of small sheets.
+constexpr Setting kSettings[] = {
+    {"mien_model_options", "num_modes", 60},     {"mien_train_options", "identity_modes", 4},
+    {"mien_train_options", "expression_modes", 3}, {"mien_spectral_basis_options", "mode_count", 20},
+    {"mien_register_options", "iterations", 3},  {"mien_register_options", "start", MIEN_START_POSE},
+    {"mien_tune_options", "num_modes", 30},      {"mien_neutralize_options", "uncertainty", 1},
+    {"mien_score_options", "folds", 3},          {"mien_score_options", "max_components", 2},
+};
+
+struct Number {
+    const char *function, *parameter;  // function: a part of its name
+    std::int64_t value;
+};
+
+/// The first row that fits counts; what no row names is 0.
+constexpr Number kNumbers[] = {
+    {"", "dtype", MIEN_DTYPE_F64},
+    {"", "abi_version", MIEN_ABI_VERSION},
+    {"", "struct_size", 4},
+    {"", "capacity", std::int64_t{1} << 16},
+    {"score_model_train", "grade_count", Fixtures::kFaces},
+    {"statistics_agreement", "grade_count", 4},
+    {"statistics", "subject_count", 8},
+    {"statistics", "value_count", 12},
+    {"statistics", "blank_count", 12},
+    {"representation", "row_count", Fixtures::kVertices},
+    {"hierarchy", "row_count", Fixtures::kVertices},
+    {"", "vertex_count", 9},
+    {"", "level", 1},
+    {"", "direction", MIEN_MAP_DOWN},
+    {"", "stride", 2},
+    {"", "radius", 2},
+    {"", "k", 10},
+    {"", "metric", MIEN_METRIC_L1},
+    {"", "what", MIEN_TRANSFER_LANDMARKS},
+    {"", "close_rims", 1},
+    {"", "carry", MIEN_CARRY_CLOSEST_POINT},
+    {"", "kind", MIEN_FEATURES_EUCLIDEAN_STANDARDISED},
+    {"registration", "field", MIEN_FIELD_RESIDUAL_MM},
+    {"measurement", "field", MIEN_FIELD_POSITIVE_VOLUME_MM3},
+    {"measurement", "zone", MIEN_ZONE_WHOLE},
+};
+
+}  // namespace
+
+std::int32_t MIEN_CALL stop_late(void*, std::int32_t, double) {
+    return Clock::now() - call_began > std::chrono::milliseconds(400) ? 1 : 0;
+}
+
+void begin_call() { call_began = Clock::now(); }
+
+std::string file_of(const std::string& function) {
+    // mien_score_model_load_trusted -> abuse_score_model.safetensors
+    const std::size_t end = std::min(function.rfind("_load"), function.rfind("_save"));
+    const std::string kind = end == std::string::npos ? function : function.substr(5, end - 5);
+    return "abuse_" + kind + (kind == "mesh" ? ".ply" : ".safetensors");
+}
+
+const char* good_text(const FunctionRow& row, const std::string& name) {
+    static std::deque<std::string> kept;
+    if (name == "dataset_path" || name == "dataset") return Fixtures::kDataset;
+    if (name == "shard_path") return "abuse_shard.safetensors";
+    if (name != "path") return "grin";
+    kept.push_back(file_of(row.name));
+    return kept.back().c_str();
+}
+
+std::int64_t good_whole(const FunctionRow& row, const std::string& name) {
+    for (const Number& number : kNumbers)
+        if (name == number.parameter && std::strstr(row.name, number.function) != nullptr) return number.value;
+    return name.find("count") != std::string::npos ? 2 : 0;
+}
+
+double good_real(const std::string& name) { return name == "factor" || name == "max_distance_mm" ? 4 : 1; }
+
+void fill_array(const std::string& name, const std::string& type, std::vector<std::uint64_t>& words) {
+    char* const bytes = reinterpret_cast<char*>(words.data());
+    const auto put = [&](std::size_t i, auto value) { std::memcpy(bytes + i * sizeof value, &value, sizeof value); };
+    for (std::size_t i = 0; i < 512; ++i) {
+        const auto number = static_cast<std::int32_t>(i);
+        if (name == "direction") put(i, i == 2 ? 1.0 : 0.0);
+        else if (name == "motion") put(i, i == 0 || i == 4 || i == 8 ? 1.0 : 0.0);
+        else if (name == "ratings") put(i, (number + number / 7) % 4);
+        else if (name == "subjects") put(i, number / 2);
+        else if (type == "int32_t" || type == "uint32_t") put(i, number);
+        else if (type == "uint64_t") put(i, std::uint64_t{5 * (i + 1)});
+        else if (type == "double") put(i, static_cast<double>(i % 7) + 0.01 * number);
+    }
+}
+
+void shrink_settings(const StructRow& row, std::vector<std::uint64_t>& words) {
+    char* const bytes = reinterpret_cast<char*>(words.data());
+    for (const Setting& setting : kSettings)
+        for (const FieldRow& field : row.fields)
+            if (std::strcmp(row.name, setting.structure) == 0 && std::strcmp(field.name, setting.field) == 0)
+                std::memcpy(bytes + field.offset, &setting.value, sizeof setting.value);
+    if (std::strcmp(row.name, "mien_tune_options") == 0) {
+        static const double sigmas[] = {20, 40};
+        const auto* data = sigmas;
+        const std::uint64_t count = 2;
+        std::memcpy(bytes + offsetof(mien_tune_options, sigmas_mm), &data, sizeof data);
+        std::memcpy(bytes + offsetof(mien_tune_options, sigma_count), &count, sizeof count);
+    }
+}
+
+}  // namespace abuse
