@@ -61,6 +61,11 @@ void finish_expression_model(ExpressionModel& model) {
         model.identity_deviations.size() != p || model.expression_deviations.size() != q ||
         model.gram.rows() != p + q || model.gram.cols() != p + q)
         fail(Status::corrupt, "the parts of the expression model have different sizes");
+    if (!model.spill.empty() &&
+        (model.spill.identity.rows() != q || model.spill.identity.cols() != p ||
+         model.spill.expression.rows() != p || model.spill.expression.cols() != q ||
+         !model.spill.identity.allFinite() || !model.spill.expression.allFinite()))
+        fail(Status::corrupt, "the spill between the expression model's modes is damaged");
     if (model.triangles.size() != 0 && model.triangles.maxCoeff() >= n)
         fail(Status::corrupt, "a triangle of the expression model names a vertex that is not there");
     for (std::uint32_t vertex : model.stable_vertices)
@@ -77,8 +82,9 @@ void finish_expression_model(ExpressionModel& model) {
         fail(Status::corrupt, "the expression model holds a value that is not finite");
 
     auto plan = std::make_shared<FitPlan>();
+    const Matrix gram = model.spill.pull_gram(model.gram);
     const Vector variances = model.expression_deviations.array().square();
-    plan->map = plan_part(model, model.gram, model.map_noise_mm2,
+    plan->map = plan_part(model, gram, model.map_noise_mm2,
                           variances.cwiseInverse().asDiagonal(), Vector::Zero(q), 0.0);
     for (const ExpressionComponent& component : model.components) {
         if (component.mean.size() != q || component.covariance.rows() != q ||
@@ -87,7 +93,7 @@ void finish_expression_model(ExpressionModel& model) {
             !std::isfinite(component.weight))
             fail(Status::corrupt, "the component '%s' of the expression model is damaged",
                  shown_name(component.name).c_str());
-        plan->components.push_back(plan_part(model, model.gram, model.mixture_noise_mm2,
+        plan->components.push_back(plan_part(model, gram, model.mixture_noise_mm2,
                                              inverse_spd(component.covariance, component.name),
                                              component.mean, std::log(component.weight)));
     }
@@ -128,6 +134,14 @@ std::shared_ptr<const ExpressionModel> load_expression_model(const std::string& 
     const TensorView& gram = read_tensor(file, "gram", DType::f64, {p + q, p + q});
     model->gram = Eigen::Map<const Matrix>(static_cast<const double*>(gram.data), p + q, p + q);
 
+    auto matrix = [&](const char* name, Index rows, Index cols) {
+        const TensorView& view = read_tensor(file, name, DType::f64, {cols, rows});
+        return Matrix(Eigen::Map<const Matrix>(static_cast<const double*>(view.data), rows, cols));
+    };
+    if (file.has("identity_spill")) {
+        model->spill.identity = matrix("identity_spill", q, p);
+        model->spill.expression = matrix("expression_spill", p, q);
+    }
     if (file.has("expected_residual_mm")) model->expected_residual_mm = vector("expected_residual_mm", 1)[0];
     if (file.has("stable_vertices")) {
         const TensorView& view = read_tensor(file, "stable_vertices", DType::u32, {-1});
@@ -200,6 +214,10 @@ void save_expression_model(const std::string& path, const ExpressionModel& model
          {"expression_modes", DType::f32, {q, n, 3}, model.expression_modes.data},
          {"triangles", DType::u32, {static_cast<std::uint64_t>(model.triangles.rows()), 3},
           model.triangles.data()}};
+    if (!model.spill.empty()) {
+        tensors.push_back({"identity_spill", DType::f64, {p, q}, model.spill.identity.data()});
+        tensors.push_back({"expression_spill", DType::f64, {q, p}, model.spill.expression.data()});
+    }
     if (!model.stable_vertices.empty())
         tensors.push_back({"stable_vertices", DType::u32, {model.stable_vertices.size()},
                            model.stable_vertices.data()});

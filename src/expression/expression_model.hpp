@@ -1,6 +1,7 @@
 // What a trained expression model holds: two subspaces, one for who a person is and one for what the
 // face does, and what is known about the coordinates in each (J 4.13):
 //     v = mean + P a + Q b + rest,   a ~ N(0, diag(identity deviations^2)),
+// with a spill between the two where they were trained to be orthogonal (mode_spill.hpp),
 // and b from a mixture: a face shows one of a few expressions, so every trained expression has a
 // mean and a covariance of its own, next to "neutral" (b near zero) and "any" (the broad Gaussian
 // over all expressions, for what was never trained). The thesis keeps P and Q only.
@@ -14,6 +15,7 @@
 #include "base/context.hpp"
 #include "base/safetensors.hpp"
 #include "base/types.hpp"
+#include "expression/mode_spill.hpp"
 
 namespace mien {
 
@@ -44,6 +46,7 @@ struct ExpressionModel {
     Vector identity_deviations;   ///< p, standard deviation of the coordinate of each mode, mm
     Vector expression_deviations; ///< q, root mean square of the coordinate of each mode, mm
     Matrix gram;                  ///< (p+q) x (p+q), [P Q]' [P Q]
+    ModeSpill spill;              ///< empty for joint PCA
     std::vector<ExpressionComponent> components;
     /// Variance of one coordinate of what the modes do not explain, as the fits use it, mm^2. Larger
     /// than the plain residual, since that residual is smooth over the face (noise.hpp).

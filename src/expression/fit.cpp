@@ -112,6 +112,15 @@ void check_face(const ExpressionModel& model, const PointsRef& vertices, const V
     }
 }
 
+Vector mode_coordinates(const ExpressionModel& model, FitMethod method, const Vector& identity,
+                        const Vector& expression) {
+    const Index p = model.num_identity_modes(), q = model.num_expression_modes();
+    const Vector a = identity.size() != 0 ? identity : Vector(Vector::Zero(p));
+    const Vector b = expression.size() != 0 ? expression : Vector(Vector::Zero(q));
+    const bool with_prior = method == FitMethod::mixture || method == FitMethod::map;
+    return with_prior ? model.spill.along_modes(a, b) : ModeSpill().along_modes(a, b);
+}
+
 FaceEvidence gather_evidence(const Context& context, const ExpressionModel& model,
                              const PointsRef& vertices, const Vector& weights) {
     const Index n = model.num_vertices(), p = model.num_identity_modes();
@@ -180,22 +189,21 @@ FitResult fit_face(const ExpressionModel& model, const FaceEvidence& evidence,
     check_options(options);
     const Index p = model.num_identity_modes(), q = model.num_expression_modes();
     const bool own_gram = evidence.gram.size() == 0;
-    const Matrix& gram = own_gram ? model.gram : evidence.gram;
-    const Vector& projection = evidence.projection;
+    const Matrix& plain_gram = own_gram ? model.gram : evidence.gram;
 
     if (options.method == FitMethod::alternating)
-        return alternate(model, gram, projection, options);
+        return alternate(model, plain_gram, evidence.projection, options);
 
     FitResult result;
     if (options.method == FitMethod::exact) {
-        const Eigen::LDLT<Matrix> factor(gram);
+        const Eigen::LDLT<Matrix> factor(plain_gram);
         const Vector pivots = factor.vectorD();
         if (factor.info() != Eigen::Success ||
             !(pivots.minCoeff() > 1e-12 * std::max(pivots.maxCoeff(), 0.0)))
             fail(Status::no_solution,
                  "the joint fit is singular: too few vertices are visible; use the fits 'map' or "
                  "'mixture'");
-        const Vector coordinates = factor.solve(projection);
+        const Vector coordinates = factor.solve(evidence.projection);
         result.identity = coordinates.head(p);
         result.expression = coordinates.tail(q);
         return result;
@@ -205,6 +213,8 @@ FitResult fit_face(const ExpressionModel& model, const FaceEvidence& evidence,
     const double model_noise = mixture ? model.mixture_noise_mm2 : model.map_noise_mm2;
     const double noise = options.noise_mm2 > 0.0 ? options.noise_mm2 : model_noise;
     const bool planned = own_gram && noise == model_noise && model.plan;
+    const Matrix gram = planned ? Matrix() : model.spill.pull_gram(plain_gram);
+    const Vector projection = model.spill.pull_vector(evidence.projection);
     FitPlan::Part made;
     auto part_of = [&](std::size_t k) -> const FitPlan::Part& {
         if (planned) return mixture ? model.plan->components[k] : model.plan->map;

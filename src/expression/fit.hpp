@@ -6,7 +6,7 @@
 //   Gaussian estimate c_k and an evidence e_k, and the coordinates are sum_k w_k c_k, w_k ~ e_k: the
 //   posterior mean. A face that looks neutral then stays neutral, which no single Gaussian does.
 //
-// With B = [P Q], diagonal weights W (three equal entries per vertex), r = B' W (v - mean) and
+// With B = [P Q] (with spill: [P + Q R, Q + P T], for map and mixture only), diagonal weights W (three equal entries per vertex), r = B' W (v - mean) and
 // G = B' W B, component k with prior precision L_k and mean m_k gives
 //   (G + s L_k) (c_k - m_k) = r - G m_k,  s the noise variance,
 //   log e_k = log weight_k + [(c_k - m_k)'(r - G m_k) + 2 r'm_k - m_k'G m_k] / 2s
@@ -71,7 +71,13 @@ FaceEvidence gather_evidence(const Context& context, const ExpressionModel& mode
 FitResult fit_face(const ExpressionModel& model, const FaceEvidence& evidence,
                    const FitOptions& options);
 
-/// Part for a Gaussian prior with the given expression precision and mean on top of `gram`.
+/// Coordinates along P and along Q of a fit with `method`: the identity's part, the expression's part, or
+/// both; empty vectors stand for zero.
+Vector mode_coordinates(const ExpressionModel& model, FitMethod method, const Vector& identity,
+                        const Vector& expression);
+
+/// Part for a Gaussian prior with the given expression precision and mean on top of `gram`, which is that of
+/// the joint coordinates (ModeSpill::pull_gram).
 FitPlan::Part plan_part(const ExpressionModel& model, const Matrix& gram, double noise_mm2,
                         const Matrix& expression_precision, const Vector& expression_mean,
                         double log_weight);

@@ -9,6 +9,17 @@
 #include "geometry/alignment.hpp"
 
 namespace mien {
+namespace {
+
+/// out += [P Q] along; a half that is all zero costs nothing.
+void add_coordinates(const Context& context, const ExpressionModel& model, const Vector& along,
+                     Eigen::Ref<Vector> out) {
+    const Vector a = along.head(model.num_identity_modes()), b = along.tail(model.num_expression_modes());
+    if (!a.isZero(0.0)) add_modes(context, model.identity_modes, a, 1.0, out);
+    if (!b.isZero(0.0)) add_modes(context, model.expression_modes, b, 1.0, out);
+}
+
+}  // namespace
 
 Vector expression_uncertainty(const Context& context, const ExpressionModel& model,
                               const Matrix& covariance) {
@@ -21,18 +32,19 @@ Vector expression_uncertainty(const Context& context, const ExpressionModel& mod
     Index rank = 0;
     for (double held = 0.0; rank < values.size() && held < (1.0 - 1e-6) * total; ++rank)
         held += values[rank];
-    const Eigen::MatrixXf half =
-        (eigen.eigenvectors().rowwise().reverse().leftCols(rank) *
-         values.head(rank).cwiseSqrt().asDiagonal())
-            .cast<float>();
+    const Matrix root = eigen.eigenvectors().rowwise().reverse().leftCols(rank) *
+                        values.head(rank).cwiseSqrt().asDiagonal();
+    const Eigen::MatrixXf half = root.cast<float>();
+    Eigen::MatrixXf spilled;
+    if (!model.spill.empty()) spilled = (model.spill.expression * root).cast<float>();
     const Index n = model.num_vertices();
     Vector deviation = Vector::Zero(n);
     parallel_for(context, static_cast<std::size_t>(n), 1024, [&](std::size_t begin, std::size_t end) {
         const Index first = static_cast<Index>(begin), size = static_cast<Index>(end - begin);
-        const Eigen::VectorXf squares =
-            (model.expression_modes.map().middleRows(3 * first, 3 * size) * half)
-                .rowwise()
-                .squaredNorm();
+        Eigen::MatrixXf rows = model.expression_modes.map().middleRows(3 * first, 3 * size) * half;
+        if (spilled.size() != 0)
+            rows.noalias() += model.identity_modes.map().middleRows(3 * first, 3 * size) * spilled;
+        const Eigen::VectorXf squares = rows.rowwise().squaredNorm();
         for (Index i = 0; i < size; ++i)
             deviation[first + i] =
                 std::sqrt(static_cast<double>(squares.segment<3>(3 * i).sum()));
@@ -52,7 +64,7 @@ void check_topology(const ExpressionModel& model, Index num_vertices, const Tria
 }
 
 Points synthesize_face(const Context& context, const ExpressionModel& model, const Vector& identity,
-                       const Vector& expression) {
+                       const Vector& expression, FitMethod method) {
     if ((identity.size() != 0 && identity.size() != model.num_identity_modes()) ||
         (expression.size() != 0 && expression.size() != model.num_expression_modes()))
         fail(Status::mismatch, "the model has %lld identity and %lld expression modes, not %lld and %lld",
@@ -61,9 +73,15 @@ Points synthesize_face(const Context& context, const ExpressionModel& model, con
              static_cast<long long>(identity.size()), static_cast<long long>(expression.size()));
     Points face = model.mean;
     Eigen::Map<Vector> flat(face.data(), face.size());
-    if (identity.size() != 0) add_modes(context, model.identity_modes, identity, 1.0, flat);
-    if (expression.size() != 0) add_modes(context, model.expression_modes, expression, 1.0, flat);
+    add_coordinates(context, model, mode_coordinates(model, method, identity, expression), flat);
     return face;
+}
+
+Vector expression_displacement(const Context& context, const ExpressionModel& model,
+                               const Vector& expression, FitMethod method) {
+    Vector moved = Vector::Zero(3 * model.num_vertices());
+    add_coordinates(context, model, mode_coordinates(model, method, Vector(), expression), moved);
+    return moved;
 }
 
 namespace {
@@ -110,10 +128,9 @@ struct PlacedFit {
 };
 
 /// || v - mean - B c || per vertex from the small matrices alone.
-double residual_of(const FitResult& fit, const Matrix& gram, const Vector& projection, double energy,
-                   double total) {
-    Vector coordinates(fit.identity.size() + fit.expression.size());
-    coordinates << fit.identity, fit.expression;
+double residual_of(const ExpressionModel& model, FitMethod method, const FitResult& fit,
+                   const Matrix& gram, const Vector& projection, double energy, double total) {
+    const Vector coordinates = mode_coordinates(model, method, fit.identity, fit.expression);
     const double rest = energy + coordinates.dot(gram * coordinates - 2.0 * projection);
     return total > 0.0 ? std::sqrt(std::max(0.0, rest) / total) : 0.0;
 }
@@ -134,7 +151,8 @@ PlacedFit fit_placed(const Context& context, const ExpressionModel& model, const
         total += weight;
     }
     const Matrix& gram = evidence.gram.size() != 0 ? evidence.gram : model.gram;
-    placed.residual_rms_mm = residual_of(placed.fit, gram, evidence.projection, energy, total);
+    placed.residual_rms_mm = residual_of(model, options.method, placed.fit, gram, evidence.projection,
+                                         energy, total);
     if (options.method != FitMethod::mixture && options.method != FitMethod::map) return placed;
 
     placed.noise_mm2 = options.noise_mm2 > 0.0 ? options.noise_mm2
@@ -151,7 +169,8 @@ PlacedFit fit_placed(const Context& context, const ExpressionModel& model, const
     careful.noise_mm2 = placed.noise_mm2 * std::min(kMaxNoiseFactor, excess * excess * excess * excess);
     placed.fit = fit_face(model, evidence, careful);
     placed.noise_mm2 = careful.noise_mm2;
-    placed.residual_rms_mm = residual_of(placed.fit, gram, evidence.projection, energy, total);
+    placed.residual_rms_mm = residual_of(model, options.method, placed.fit, gram, evidence.projection,
+                                         energy, total);
     return placed;
 }
 
@@ -162,7 +181,7 @@ PlacedFit fit_rigid(const Context& context, const ExpressionModel& model, const 
     PlacedFit placed = fit_placed(context, model, vertices, weights, options, start);
     for (int round = 0; round < kPoseRounds; ++round) {
         const Points made =
-            synthesize_face(context, model, placed.fit.identity, placed.fit.expression);
+            synthesize_face(context, model, placed.fit.identity, placed.fit.expression, options.method);
         const Similarity next = align_weighted(vertices, made, weights);
         const double turned = (next.rotation - placed.to_model.rotation).norm() * 100.0 +
                               (next.translation - placed.to_model.translation).norm();
@@ -203,8 +222,7 @@ NeutralizationResult neutralize(const Context& context, const ExpressionModel& m
     const Similarity& to_model = placed.to_model;
 
     NeutralizationResult result;
-    Vector moved = Vector::Zero(3 * n);
-    add_modes(context, model.expression_modes, fit.expression, -1.0, moved);
+    Vector moved = -expression_displacement(context, model, fit.expression, options.fit.method);
     Eigen::Map<Points> displacement(moved.data(), n, 3);
     if (!identity_motion(to_model)) displacement = (displacement * to_model.rotation).eval();  // rows: R' d
     result.pose = to_model.inverse();
@@ -216,7 +234,7 @@ NeutralizationResult neutralize(const Context& context, const ExpressionModel& m
             if (weights[i] != 0.0 || vertices.row(i).allFinite()) continue;
             if (own.rows() == 0)
                 own = result.pose.apply(
-                    PointsRef(synthesize_face(context, model, fit.identity, Vector())));
+                    PointsRef(synthesize_face(context, model, fit.identity, Vector(), options.fit.method)));
             result.neutral_vertices.row(i) = own.row(i);
         }
     }

@@ -53,11 +53,16 @@ NeutralizationResult neutralize(const Context& context, const ExpressionModel& m
 /// topology. Without triangles (0 rows) only the vertex count is held against the model.
 void check_topology(const ExpressionModel& model, Index num_vertices, const TrianglesRef& triangles);
 
-/// mean + P (identity coordinates) + Q (expression coordinates); empty vectors for none.
+/// mean + P (identity coordinates) + Q (expression coordinates), with the model's spill for coordinates of
+/// fits with a prior; empty vectors for none.
 Points synthesize_face(const Context& context, const ExpressionModel& model, const Vector& identity,
-                       const Vector& expression);
+                       const Vector& expression, FitMethod method = FitMethod::mixture);
 
-/// Root of the trace of Q_i C Q_i' per vertex, C a covariance of expression coordinates.
+/// 3#V, what an expression's coordinates move.
+Vector expression_displacement(const Context& context, const ExpressionModel& model,
+                               const Vector& expression, FitMethod method = FitMethod::mixture);
+
+/// Root of the trace of E_i C E_i' per vertex, C a covariance of expression coordinates, E = Q + P T.
 Vector expression_uncertainty(const Context& context, const ExpressionModel& model,
                               const Matrix& covariance);
 

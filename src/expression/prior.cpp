@@ -108,8 +108,9 @@ std::vector<ExpressionComponent> expression_components(const Matrix& coordinates
 }
 
 NoiseLevels estimate_noise(const Context& context, const ColumnSource& source,
-                           const JointSpan& span, const Matrix& expression_modes,
-                           Index identity_modes, const PriorOptions& options) {
+                           const JointSpan& span, const Matrix& expression_basis,
+                           const Matrix& expression_coordinates, Index identity_modes,
+                           const PriorOptions& options) {
     const Index m = source.num_neutrals(), s = source.num_displacements();
     NoiseLevels levels;
     const Index num_folds = std::min<Index>(4, m);
@@ -129,7 +130,6 @@ NoiseLevels estimate_noise(const Context& context, const ColumnSource& source,
     for (Index k = 0; k < s; ++k) faces_by_subject[static_cast<std::size_t>(k)] = k;
     std::stable_sort(faces_by_subject.begin(), faces_by_subject.end(),
                      [&](Index a, Index b) { return subject_rank(a) < subject_rank(b); });
-    const Matrix expression_coordinates = expression_modes.transpose() * span.displacements;
 
     std::vector<Fold> folds(static_cast<std::size_t>(num_folds));
     for (Index f = 0; f < num_folds; ++f) {
@@ -161,7 +161,7 @@ NoiseLevels estimate_noise(const Context& context, const ColumnSource& source,
                 tested_faces.push_back(k);
         }
         if (kept_faces.empty() || tested_faces.empty()) return levels;
-        Matrix kept_coordinates(expression_modes.cols(), static_cast<Index>(kept_faces.size()));
+        Matrix kept_coordinates(expression_basis.cols(), static_cast<Index>(kept_faces.size()));
         std::vector<int> kept_expression;
         for (std::size_t k = 0; k < kept_faces.size(); ++k) {
             kept_coordinates.col(static_cast<Index>(k)) = expression_coordinates.col(kept_faces[k]);
@@ -172,11 +172,11 @@ NoiseLevels estimate_noise(const Context& context, const ColumnSource& source,
             (kept_coordinates.rowwise().squaredNorm() / static_cast<double>(kept_faces.size()))
                 .cwiseSqrt()
                 .cwiseMax(1e-6);
-        fold.model = coordinate_model(identity, values.cwiseSqrt(), expression_modes, deviations);
+        fold.model = coordinate_model(identity, values.cwiseSqrt(), expression_basis, deviations);
         fold.model.components = expression_components(kept_coordinates, kept_expression,
                                                       source.expression_names, deviations, options);
-        fold.modes.resize(identity.rows(), identity.cols() + expression_modes.cols());
-        fold.modes << identity, expression_modes;
+        fold.modes.resize(identity.rows(), identity.cols() + expression_basis.cols());
+        fold.modes << identity, expression_basis;
 
         const Index count = static_cast<Index>(tested_faces.size() + tested_subjects.size());
         fold.faces.resize(span.neutrals.rows(), count);
@@ -208,7 +208,7 @@ NoiseLevels estimate_noise(const Context& context, const ColumnSource& source,
             FaceEvidence evidence;
             evidence.projection = fold.modes.transpose() * fold.faces.col(k);
             auto error = [&](const FitResult& result) {
-                const Vector moved = expression_modes * result.expression;
+                const Vector moved = expression_basis * result.expression;
                 return std::sqrt((moved - fold.truths.col(k)).squaredNorm() / vertices);
             };
             FitOptions options_map, options_mixture;

@@ -42,9 +42,11 @@ struct NoiseLevels {
     double residual_mm = 0.0;
 };
 
-/// Cross-validation of both noise levels; deterministic. `identity_modes` is the number of modes.
+/// Cross-validation of both noise levels; deterministic. `expression_basis` (r x q, with the spill) and
+/// `expression_coordinates` (q x s) make the displacements; `identity_modes` is the number of modes.
 NoiseLevels estimate_noise(const Context& context, const ColumnSource& source,
-                           const JointSpan& span, const Matrix& expression_modes,
-                           Index identity_modes, const PriorOptions& options);
+                           const JointSpan& span, const Matrix& expression_basis,
+                           const Matrix& expression_coordinates, Index identity_modes,
+                           const PriorOptions& options);
 
 }  // namespace mien

@@ -68,8 +68,7 @@ Points transfer_expression(const Context& context, const ExpressionModel& model,
     const TopologyMatch match = match_topology(model, neutral.vertices.rows(), neutral.triangles);
     if (match == TopologyMatch::none || expression.size() != model.num_expression_modes())
         fail(Status::mismatch, "the face or the expression belongs to another expression model");
-    Vector moved = Vector::Zero(3 * model.num_vertices());
-    add_modes(context, model.expression_modes, expression, 1.0, moved);
+    const Vector moved = expression_displacement(context, model, expression);
     const Points displacement =
         Eigen::Map<const Points>(moved.data(), model.num_vertices(), 3) * pose.rotation.transpose();
     if (match == TopologyMatch::same) return neutral.vertices + displacement;

@@ -59,7 +59,7 @@ Matrix coupled_gram(const Context& context, const ExpressionModel& model, const 
         dense::weighted_gram(context, block, row_weights, part);
         gram += sign * part;
     }
-    return gram;
+    return model.spill.pull_gram(gram);
 }
 
 JointSystem build_system(const Context& context, const ExpressionModel& model,
@@ -83,6 +83,7 @@ JointSystem build_system(const Context& context, const ExpressionModel& model,
     for (Index i = 0; i < static_cast<Index>(c_of.size()); ++i)
         c_of[static_cast<std::size_t>(i)] = coupling(weights.col(i), scan_noise, noise);
 
+    const Matrix gram_of_ones = model.spill.pull_gram(model.gram);
     auto add_gram = [&](Index k, Index l, const Matrix& gram) {
         system.data.topLeftCorner(p, p) += gram.topLeftCorner(p, p);
         system.data.block(0, p + l * q, p, q) += gram.topRightCorner(p, q);
@@ -94,7 +95,7 @@ JointSystem build_system(const Context& context, const ExpressionModel& model,
             context.check_cancelled();
             const Points& face = placed[static_cast<std::size_t>(l)];
             if (uniform) {
-                add_gram(k, l, constant(k, l) * model.gram);
+                add_gram(k, l, constant(k, l) * gram_of_ones);
             } else if (l >= k) {
                 Vector c(n);
                 for (Index i = 0; i < n; ++i) c[i] = c_of[static_cast<std::size_t>(i)](k, l);
@@ -109,9 +110,12 @@ JointSystem build_system(const Context& context, const ExpressionModel& model,
                 else
                     displacement.segment<3>(3 * i) = c * (face.row(i) - model.mean.row(i));
             }
-            system.right.head(p) += project_modes(context, model.identity_modes, displacement);
-            system.right.segment(p + k * q, q) +=
+            Vector along(p + q);
+            along << project_modes(context, model.identity_modes, displacement),
                 project_modes(context, model.expression_modes, displacement);
+            const Vector evidence = model.spill.pull_vector(along);
+            system.right.head(p) += evidence.head(p);
+            system.right.segment(p + k * q, q) += evidence.tail(q);
         }
     system.data.bottomLeftCorner(K * q, p) = system.data.topRightCorner(p, K * q).transpose();
     system.data.diagonal().head(p) += model.identity_deviations.array().square().inverse().matrix();
@@ -236,9 +240,8 @@ SeriesResult neutralize_series(const Context& context, const ExpressionModel& mo
     for (std::size_t k = 0; k < scans.size(); ++k) {
         const Vector expression = best.coordinates.segment(
             model.num_identity_modes() + static_cast<Index>(k) * q, q);
-        Vector moved = Vector::Zero(3 * n);
-        add_modes(context, model.expression_modes, expression, -1.0, moved);
-        const Points neutral = placed[k] + Eigen::Map<const Points>(moved.data(), n, 3);
+        const Vector moved = expression_displacement(context, model, expression);
+        const Points neutral = placed[k] - Eigen::Map<const Points>(moved.data(), n, 3);
         for (Index i = 0; i < n; ++i) {
             const double weight = weights(static_cast<Index>(k), i);
             if (weight == 0.0) continue;

@@ -83,6 +83,14 @@ std::shared_ptr<const ExpressionModel> train_expression_model(const ColumnSource
     Matrix modes(subspaces.identity.rows(), p + q);
     modes << subspaces.identity, subspaces.expression;
     model->gram = modes.transpose() * modes;
+    const bool quasi = options.subspaces.method == TrainMethod::quasi_orthogonal;
+    Matrix expression_basis = subspaces.expression;
+    if (quasi) {
+        model->spill = learn_spill(identity_coordinates, subspaces.expression.transpose() * span.neutrals,
+                                   subspaces.identity.transpose() * span.displacements,
+                                   expression_coordinates);
+        expression_basis += subspaces.identity * model->spill.expression;
+    }
     model->components =
         expression_components(expression_coordinates, source.displacement_expression,
                               source.expression_names, model->expression_deviations, options.prior);
@@ -91,7 +99,7 @@ std::shared_ptr<const ExpressionModel> train_expression_model(const ColumnSource
 
     NoiseLevels noise;
     if (options.map_noise_mm2 <= 0.0 || options.mixture_noise_mm2 <= 0.0)
-        noise = estimate_noise(context, source, span, subspaces.expression,
+        noise = estimate_noise(context, source, span, expression_basis, expression_coordinates,
                                options.subspaces.identity_modes, options.prior);
     model->map_noise_mm2 = options.map_noise_mm2 > 0.0 ? options.map_noise_mm2 : noise.map_mm2;
     model->mixture_noise_mm2 =
@@ -99,7 +107,6 @@ std::shared_ptr<const ExpressionModel> train_expression_model(const ColumnSource
 
     model->expected_residual_mm = noise.residual_mm;
 
-    const bool quasi = options.subspaces.method == TrainMethod::quasi_orthogonal;
     model->info["method"] = quasi ? "qojpca" : "jpca";
     model->info["subjects"] = std::to_string(source.num_neutrals());
     model->info["faces"] = std::to_string(source.num_neutrals() + source.num_displacements());

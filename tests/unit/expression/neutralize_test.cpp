@@ -52,6 +52,46 @@ TEST(Neutralize, BringsUnseenFacesBackToTheirNeutral) {
     EXPECT_LE(mixture, map);
 }
 
+TEST(Neutralize, WhatOrthogonalityTookFromTheExpressionComesBackInFitsWithAPrior) {
+    TrainOptions options;
+    options.subspaces.identity_modes = 10;
+    options.subspaces.expression_modes = 8;
+    options.subspaces.method = TrainMethod::quasi_orthogonal;
+    const auto quasi = train_expression_model(study().dataset(0, study().subjects, "spill"), options, Context());
+    ASSERT_FALSE(quasi->spill.empty());
+    ASSERT_TRUE(model().spill.empty());
+    double before = 0, joint = 0, orthogonal = 0, changed = 0;
+    for (int subject = 50; subject < 60; ++subject) {
+        const Points truth = study().neutral(subject);
+        changed += mean_distance(neutralize(Context(), *quasi, truth, Vector(), {}).neutral_vertices, truth);
+        for (int expression = 1; expression < 5; ++expression) {
+            const Points face = study().face(subject, expression);
+            before += mean_distance(face, truth);
+            joint += mean_distance(neutralized(face, FitMethod::mixture), truth);
+            orthogonal += mean_distance(neutralize(Context(), *quasi, face, Vector(), {}).neutral_vertices, truth);
+        }
+    }
+    EXPECT_LT(orthogonal, 0.35 * before);
+    EXPECT_LT(orthogonal, 1.3 * joint);
+    EXPECT_LT(changed / 10, 0.1);
+}
+
+TEST(Neutralize, TheExactFitOfAQuasiOrthogonalModelTakesItsExpressionModesOffAndNothingElse) {
+    TrainOptions train;
+    train.subspaces.identity_modes = 10;
+    train.subspaces.expression_modes = 8;
+    train.subspaces.method = TrainMethod::quasi_orthogonal;
+    const auto quasi = train_expression_model(study().dataset(0, study().subjects, "plain"), train, Context());
+    NeutralizeOptions options;
+    options.fit.method = FitMethod::exact;
+    const Points face = study().face(57, 1);
+    const NeutralizationResult result = neutralize(Context(), *quasi, face, Vector(), options);
+    Vector moved = Vector::Zero(3 * face.rows());
+    add_modes(Context(), quasi->expression_modes, result.expression, -1.0, moved);
+    EXPECT_LT(mean_distance(result.neutral_vertices, face + Eigen::Map<const Points>(moved.data(), face.rows(), 3)),
+              1e-9);
+}
+
 TEST(Neutralize, LeavesANeutralFaceAsItIs) {
     for (int subject = 50; subject < 60; ++subject) {
         const Points face = study().neutral(subject);

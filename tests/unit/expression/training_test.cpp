@@ -67,19 +67,25 @@ TEST(Training, SameBitsForAnyThreadCount) {
 
 TEST(Training, ModelComesBackFromItsFileBitForBit) {
     const Study study;
-    const auto model =
-        train_expression_model(study.dataset(0, study.subjects, "save"), small_options(), Context());
-    const std::string path = Study::path("model");
-    save_expression_model(path, *model, Context());
-    const auto loaded = load_expression_model(path, {}, Context());
-    EXPECT_TRUE(model->mean == loaded->mean);
-    EXPECT_TRUE(model->triangles == loaded->triangles);
-    EXPECT_EQ(loaded->info.at("method"), "jpca");
-    const Points face = study.face(101, 2);
-    NeutralizeOptions options;
-    EXPECT_TRUE(neutralize(Context(), *model, face, Vector(), options).neutral_vertices ==
-                neutralize(Context(), *loaded, face, Vector(), options).neutral_vertices);
-    std::remove(path.c_str());
+    const auto data = study.dataset(0, study.subjects, "save");
+    for (TrainMethod method : {TrainMethod::joint_pca, TrainMethod::quasi_orthogonal}) {
+        TrainOptions train = small_options();
+        train.subspaces.method = method;
+        const auto model = train_expression_model(data, train, Context());
+        const std::string path = Study::path("model");
+        save_expression_model(path, *model, Context());
+        const auto loaded = load_expression_model(path, {}, Context());
+        EXPECT_TRUE(model->mean == loaded->mean);
+        EXPECT_TRUE(model->triangles == loaded->triangles);
+        EXPECT_TRUE(model->spill.identity == loaded->spill.identity);
+        EXPECT_TRUE(model->spill.expression == loaded->spill.expression);
+        EXPECT_EQ(loaded->info.at("method"), method == TrainMethod::joint_pca ? "jpca" : "qojpca");
+        const Points face = study.face(101, 2);
+        NeutralizeOptions options;
+        EXPECT_TRUE(neutralize(Context(), *model, face, Vector(), options).neutral_vertices ==
+                    neutralize(Context(), *loaded, face, Vector(), options).neutral_vertices);
+        std::remove(path.c_str());
+    }
 }
 
 TEST(Training, RefusesDataWithoutNeutralFaces) {
