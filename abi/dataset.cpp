@@ -32,10 +32,8 @@ mien_status MIEN_CALL mien_dataset_writer_create(mien_session* session, const mi
     return guarded_create(out, error, [&] {
         checked(session, "session");
         const TriMesh& mesh = *checked(topology, "topology").mesh;
-        if (expression_names == nullptr) fail(Status::invalid_argument, "expression_names is null");
-        if (expression_count == 0 || expression_count > 1000000)
-            fail(Status::invalid_argument, "expression_count is %u, allowed are 1 to 1000000",
-                 expression_count);
+        if (expression_count == 0) fail(Status::invalid_argument, "expression_count is 0");
+        check_array(expression_names, expression_count, alignof(const char*), 1000000, "expression_names");
         std::vector<std::string> names;
         for (uint32_t i = 0; i < expression_count; ++i)
             names.emplace_back(checked_text(expression_names[i], "an expression name"));

@@ -95,8 +95,8 @@ mien_status MIEN_CALL mien_expression_model_merge(mien_session* session, const c
             fail(Status::invalid_argument,
                  "shards hold faces as they lie: align a study before it is cut into parts");
         const Call call(session, given.progress, given.progress_user, given.cancel);
-        if (shard_paths == nullptr || shard_count == 0 || shard_count > 1000000)
-            fail(Status::invalid_argument, "shard_paths is null, or shard_count is not 1 to 1000000");
+        if (shard_count == 0) fail(Status::invalid_argument, "shard_count is 0");
+        check_array(shard_paths, shard_count, alignof(const char*), 1000000, "shard_paths");
         std::vector<std::string> paths;
         for (uint32_t k = 0; k < shard_count; ++k)
             paths.emplace_back(checked_text(shard_paths[k], "a shard's path"));
@@ -119,8 +119,8 @@ mien_status MIEN_CALL mien_neutralize_series(mien_session* session, const mien_e
         const Call call(session, given.progress, given.progress_user, given.cancel);
         const ExpressionModel& data = *checked(model, "model").model;
         const SeriesOptions settings = read_series_options(given, data.num_vertices());
-        if (faces == nullptr || face_count == 0 || face_count > 1000)
-            fail(Status::invalid_argument, "faces is null, or face_count is not 1 to 1000");
+        if (face_count == 0) fail(Status::invalid_argument, "face_count is 0");
+        check_array(faces, face_count, alignof(const mien_mesh*), 1000, "faces");
         std::vector<SeriesScan> scans;
         for (uint32_t k = 0; k < face_count; ++k) {
             const TriMesh& mesh = *checked(faces[k], "a face").mesh;

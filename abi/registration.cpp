@@ -12,6 +12,9 @@ using namespace mien::abi;
 
 mien_registration::mien_registration(RegistrationResult&& result)
     : Object(kTag), data(std::move(result)), json(registration_json(data)) {
+    // Places that a file's float coordinates hold exactly: what comes after the fit gives the same bits
+    // whether it reads the fitted face from here or from the file that it was saved to.
+    data.fitted.vertices = data.fitted.vertices.cast<float>().cast<double>();
     mesh = new mien_mesh(std::make_shared<const TriMesh>(std::move(data.fitted)));
 }
 
@@ -84,11 +87,7 @@ RegistrationOptions convert(const mien_register_options& given) {
 }
 
 std::vector<LandmarkPoint> read_landmarks(const mien_register_options& given) {
-    if (given.landmark_count != 0 && given.landmarks == nullptr)
-        fail(Status::invalid_argument, "options.landmarks is null, landmark_count is not 0");
-    if (given.landmark_count > 1000000)
-        fail(Status::invalid_argument, "options.landmark_count is %llu, at most 1000000 are allowed",
-             static_cast<unsigned long long>(given.landmark_count));
+    check_array(given.landmarks, given.landmark_count, alignof(mien_scan_landmark), 1000000, "options.landmarks");
     std::vector<LandmarkPoint> landmarks;
     for (std::uint64_t k = 0; k < given.landmark_count; ++k) {
         const mien_scan_landmark& landmark = given.landmarks[k];

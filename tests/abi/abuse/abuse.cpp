@@ -1,5 +1,6 @@
 #include "abuse.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -104,6 +105,7 @@ std::vector<Attempt> wrong_arguments(const Fixtures& fixtures, const ParameterRo
     static const char* const hole[] = {nullptr, nullptr};
     static const std::string endless(100000, 'x');
     static std::vector<std::uint64_t> room(std::size_t{1} << 19);
+    std::fill_n(room.begin(), 4096, 0);  // an earlier call may have left a handle there
     char* const crooked = reinterpret_cast<char*>(room.data()) + 1;
     std::vector<Attempt> attempts;
     const auto pointer = [&](const char* how, const void* value, bool must_fail) {

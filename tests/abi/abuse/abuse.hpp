@@ -103,6 +103,7 @@ void shrink_settings(const StructRow& row, std::vector<std::uint64_t>& words);
 /// Long calls end here: abuse may ask for millions of rounds. begin_call() starts the clock.
 std::int32_t MIEN_CALL stop_late(void*, std::int32_t, double);
 void begin_call();
+void set_patience(int milliseconds);
 
 /// Faults found so far; each is printed once at the end.
 class Verdict {

@@ -10,6 +10,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 Clock::time_point call_began;
+int patience_ms = 400;
 
 struct Setting {
     const char *structure, *field;
@@ -62,8 +63,10 @@ constexpr Number kNumbers[] = {
 }  // namespace
 
 std::int32_t MIEN_CALL stop_late(void*, std::int32_t, double) {
-    return Clock::now() - call_began > std::chrono::milliseconds(400) ? 1 : 0;
+    return Clock::now() - call_began > std::chrono::milliseconds(patience_ms) ? 1 : 0;
 }
+
+void set_patience(int milliseconds) { patience_ms = milliseconds; }
 
 void begin_call() { call_began = Clock::now(); }
 

@@ -1,6 +1,8 @@
 // Runs all abuse, in silence: whatever the library would print shows up as a fault. An argument names a
-// file for the trace of all calls.
+// file for the trace of all calls ("-": none), a second one how many milliseconds a call may take before its
+// progress callback ends it (for slow tools such as valgrind).
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -26,7 +28,8 @@ int main(int argc, char** argv) {
         dup2(fileno(heard), 2);
     }
     Verdict verdict;
-    if (argc > 1) verdict.trace = std::fopen(argv[1], "w");
+    if (argc > 1 && argv[1][0] != '-') verdict.trace = std::fopen(argv[1], "w");
+    if (argc > 2) set_patience(std::atoi(argv[2]));
     std::string missing;
     {
         Fixtures fixtures;
