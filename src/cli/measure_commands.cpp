@@ -7,7 +7,7 @@
 namespace mien::cli {
 namespace {
 
-struct Settings {
+struct MeasureSettings {
     Common common;
     std::string before, after, mesh, zones, field_path;
     double sd_before = 0, sd_after = 0, correlation = 10, bias = 0, limit = 0, max_distance = 0;
@@ -21,7 +21,7 @@ std::vector<MeasureZone> zones_of(const std::string& path) {
     return zones;
 }
 
-MeasureOptions options_of(const Settings& settings) {
+MeasureOptions options_of(const MeasureSettings& settings) {
     MeasureOptions options;
     options.zones = zones_of(settings.zones);
     options.correlation_length_mm = settings.correlation;
@@ -55,7 +55,7 @@ void print_volume_row(const std::string& name, const mien_zone_volume& v) {
     std::printf("\n");
 }
 
-void run_volume(const Settings& settings) {
+void run_volume(const MeasureSettings& settings) {
     const Session session(settings.common.num_threads);
     const Mesh before(session, settings.before), after(session, settings.after);
     MeasureOptions options = options_of(settings);
@@ -73,7 +73,7 @@ void run_volume(const Settings& settings) {
     write_report(settings.common, report);
 }
 
-void run_distance(const Settings& settings) {
+void run_distance(const MeasureSettings& settings) {
     const Session session(settings.common.num_threads);
     const Mesh before(session, settings.before), after(session, settings.after);
     const MeasureOptions options = options_of(settings);
@@ -99,7 +99,7 @@ void run_distance(const Settings& settings) {
 }
 
 /// Area of one mesh, whole and per zone, and what it encloses where asked.
-nlohmann::json areas_of(const Session& session, const Settings& settings, const Mesh& mesh) {
+nlohmann::json areas_of(const Session& session, const MeasureSettings& settings, const Mesh& mesh) {
     nlohmann::json areas{{"area_mm2", area_mm2(session, mesh)}, {"zones", nlohmann::json::array()}};
     for (const MeasureZone& zone : zones_of(settings.zones))
         areas["zones"].push_back({{"name", zone.name}, {"area_mm2", area_mm2(session, mesh, zone)}});
@@ -108,7 +108,7 @@ nlohmann::json areas_of(const Session& session, const Settings& settings, const 
     return areas;
 }
 
-void run_area_change(const Settings& settings) {
+void run_area_change(const MeasureSettings& settings) {
     const Session session(settings.common.num_threads);
     nlohmann::json before = areas_of(session, settings, Mesh(session, settings.before));
     nlohmann::json after = areas_of(session, settings, Mesh(session, settings.after));
@@ -124,7 +124,7 @@ void run_area_change(const Settings& settings) {
     write_report(settings.common, {{"before", before}, {"after", after}});
 }
 
-void run_area(const Settings& settings) {
+void run_area(const MeasureSettings& settings) {
     if (settings.mesh.empty() == (settings.before.empty() || settings.after.empty()))
         throw CLI::ValidationError("measure area", "give one mesh, or --before and --after");
     if (settings.mesh.empty()) return run_area_change(settings);
@@ -140,7 +140,7 @@ void run_area(const Settings& settings) {
     write_report(settings.common, report);
 }
 
-void add_pair(CLI::App& command, Settings& settings) {
+void add_pair(CLI::App& command, MeasureSettings& settings) {
     command.add_option("--before", settings.before, "first face")->required()->check(CLI::ExistingFile);
     command.add_option("--after", settings.after, "second face, in the frame of the first")
         ->required()
@@ -155,7 +155,7 @@ void add_measure_commands(CLI::App& app) {
     CLI::App* measure = app.add_subcommand("measure", "volumes, areas and distances");
     measure->require_subcommand(1);
 
-    auto settings = std::make_shared<Settings>();
+    auto settings = std::make_shared<MeasureSettings>();
     CLI::App* volume = measure->add_subcommand("volume", "volume between two faces in correspondence");
     add_pair(*volume, *settings);
     volume->add_option("--sd-before", settings->sd_before, "deviation of the first surface, mm");

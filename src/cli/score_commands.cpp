@@ -11,7 +11,7 @@
 namespace mien::cli {
 namespace {
 
-struct Settings {
+struct ScoreCommand {
     Common common;
     std::string data, grades, model, in, out, picture, zones, zone, stable, method = "nipals", values;
     int components = 0, max_components = 10, folds = 10, grade_count = 0;
@@ -53,7 +53,7 @@ std::vector<double> read_grades(const std::string& path) {
     return grades;
 }
 
-std::vector<std::uint32_t> zone_named(const Settings& settings, const std::string& name) {
+std::vector<std::uint32_t> zone_named(const ScoreCommand& settings, const std::string& name) {
     if (name.empty()) return {};
     if (settings.zones.empty()) throw std::runtime_error("a zone name needs --zones");
     for (auto& [known, vertices] : read_zones(settings.zones))
@@ -91,7 +91,7 @@ void draw_training(const std::string& path, const Session& session, const ScoreM
     write_png(path, stack_images(rows, false));
 }
 
-void run_train(const Settings& settings) {
+void run_train(const ScoreCommand& settings) {
     const Session session(settings.common.num_threads);
     ScoreSettings options;
     options.c.method = settings.method == "simpls" ? MIEN_PLS_SIMPLS : MIEN_PLS_NIPALS;
@@ -120,7 +120,7 @@ void run_train(const Settings& settings) {
     write_report(settings.common, report);
 }
 
-void run_predict(const Settings& settings) {
+void run_predict(const ScoreCommand& settings) {
     const Session session(settings.common.num_threads);
     const ScoreModel model(session, settings.model);
     const mien_score_prediction p = model.predict(session, Mesh(session, settings.in));
@@ -134,7 +134,7 @@ void run_predict(const Settings& settings) {
                                    {"extrapolates", p.extrapolates != 0}});
 }
 
-void run_simulate(const Settings& settings) {
+void run_simulate(const ScoreCommand& settings) {
     const Session session(settings.common.num_threads);
     const ScoreModel model(session, settings.model);
     std::unique_ptr<Mesh> face;
@@ -164,7 +164,7 @@ void run_simulate(const Settings& settings) {
     write_report(settings.common, {{"in", settings.in}, {"target", settings.target}, {"out", settings.out}});
 }
 
-void run_agreement(const Settings& settings) {
+void run_agreement(const ScoreCommand& settings) {
     const nlohmann::json file = read_json(settings.grades);
     std::vector<std::int32_t> ratings;
     std::size_t raters = 0;
@@ -194,7 +194,7 @@ void run_agreement(const Settings& settings) {
     write_report(settings.common, report);
 }
 
-void run_repeatability(const Settings& settings) {
+void run_repeatability(const ScoreCommand& settings) {
     const nlohmann::json file = read_json(settings.values);
     std::vector<double> values, blanks;
     std::vector<std::int32_t> subjects;
@@ -223,7 +223,7 @@ void run_repeatability(const Settings& settings) {
 void add_score_commands(CLI::App& app) {
     CLI::App* score = app.add_subcommand("score", "biomarker scores, rater agreement, repeatability");
     score->require_subcommand(1);
-    auto settings = std::make_shared<Settings>();
+    auto settings = std::make_shared<ScoreCommand>();
 
     CLI::App* train = score->add_subcommand("train", "learn a score from graded faces");
     train->add_option("--data", settings->data, "dataset of faces in correspondence")->required();

@@ -18,7 +18,7 @@
 namespace mien {
 namespace {
 
-constexpr int kW = BlockLdlt::kWidth;
+constexpr int kWidth = BlockLdlt::kWidth;
 
 struct Factor {
     const double* values;
@@ -37,56 +37,56 @@ MIEN_HEAT_INLINE double inner_entry(const Factor& f, std::int64_t first, int row
 /// Forward substitution with columns first .. first + Q - 1, which share their rows below.
 template <int Q>
 MIEN_HEAT_INLINE void forward_group(const Factor& f, std::int64_t first, double* __restrict x) {
-    double y[Q][kW];
+    double y[Q][kWidth];
     for (int a = 0; a < Q; ++a)
-        for (int c = 0; c < kW; ++c) y[a][c] = x[(first + a) * kW + c];
+        for (int c = 0; c < kWidth; ++c) y[a][c] = x[(first + a) * kWidth + c];
     for (int a = 0; a < Q; ++a)
         for (int b = a + 1; b < Q; ++b) {
             const double l = inner_entry(f, first, b, a);
-            for (int c = 0; c < kW; ++c) y[b][c] -= l * y[a][c];
+            for (int c = 0; c < kWidth; ++c) y[b][c] -= l * y[a][c];
         }
     for (int a = 1; a < Q; ++a)
-        for (int c = 0; c < kW; ++c) x[(first + a) * kW + c] = y[a][c];
+        for (int c = 0; c < kWidth; ++c) x[(first + a) * kWidth + c] = y[a][c];
     const std::int64_t count = f.begin[first + Q] - f.begin[first + Q - 1];
     const std::int32_t* rows = f.rows + f.begin[first + Q - 1];
     const double* value[Q];
     for (int a = 0; a < Q; ++a) value[a] = f.values + f.begin[first + a] + (Q - 1 - a);
     for (std::int64_t p = 0; p < count; ++p) {
-        double* __restrict xi = x + static_cast<std::int64_t>(rows[p]) * kW;
-        double sum[kW];
-        for (int c = 0; c < kW; ++c) sum[c] = xi[c];
+        double* __restrict xi = x + static_cast<std::int64_t>(rows[p]) * kWidth;
+        double sum[kWidth];
+        for (int c = 0; c < kWidth; ++c) sum[c] = xi[c];
         for (int a = 0; a < Q; ++a) {
             const double l = value[a][p];
-            for (int c = 0; c < kW; ++c) sum[c] -= l * y[a][c];
+            for (int c = 0; c < kWidth; ++c) sum[c] -= l * y[a][c];
         }
-        for (int c = 0; c < kW; ++c) xi[c] = sum[c];
+        for (int c = 0; c < kWidth; ++c) xi[c] = sum[c];
     }
 }
 
 /// Division by D and backward substitution with the same columns.
 template <int Q>
 MIEN_HEAT_INLINE void backward_group(const Factor& f, std::int64_t first, double* __restrict x) {
-    double y[Q][kW];
+    double y[Q][kWidth];
     for (int a = 0; a < Q; ++a)
-        for (int c = 0; c < kW; ++c) y[a][c] = x[(first + a) * kW + c] * f.inverse_diagonal[first + a];
+        for (int c = 0; c < kWidth; ++c) y[a][c] = x[(first + a) * kWidth + c] * f.inverse_diagonal[first + a];
     const std::int64_t count = f.begin[first + Q] - f.begin[first + Q - 1];
     const std::int32_t* rows = f.rows + f.begin[first + Q - 1];
     const double* value[Q];
     for (int a = 0; a < Q; ++a) value[a] = f.values + f.begin[first + a] + (Q - 1 - a);
     for (std::int64_t p = 0; p < count; ++p) {
-        const double* __restrict xi = x + static_cast<std::int64_t>(rows[p]) * kW;
+        const double* __restrict xi = x + static_cast<std::int64_t>(rows[p]) * kWidth;
         for (int a = 0; a < Q; ++a) {
             const double l = value[a][p];
-            for (int c = 0; c < kW; ++c) y[a][c] -= l * xi[c];
+            for (int c = 0; c < kWidth; ++c) y[a][c] -= l * xi[c];
         }
     }
     for (int a = Q - 1; a >= 0; --a)
         for (int b = a + 1; b < Q; ++b) {
             const double l = inner_entry(f, first, b, a);
-            for (int c = 0; c < kW; ++c) y[a][c] -= l * y[b][c];
+            for (int c = 0; c < kWidth; ++c) y[a][c] -= l * y[b][c];
         }
     for (int a = 0; a < Q; ++a)
-        for (int c = 0; c < kW; ++c) x[(first + a) * kW + c] = y[a][c];
+        for (int c = 0; c < kWidth; ++c) x[(first + a) * kWidth + c] = y[a][c];
 }
 
 MIEN_HEAT_INLINE void solve_block(const Factor& f, double* __restrict x) {

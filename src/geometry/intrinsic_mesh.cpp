@@ -15,7 +15,7 @@ namespace {
 constexpr std::int64_t kNone = -1;
 
 /// Relative slack of the triangle inequality after mollification, and of the Delaunay test.
-constexpr double kMollification = 1e-5;
+constexpr double kHeatMollification = 1e-5;
 constexpr double kFlipTolerance = 1e-9;
 
 double double_area_of(double a, double b, double c) {
@@ -289,7 +289,7 @@ IntrinsicMesh build_intrinsic_mesh(const PointsRef& vertices, const TrianglesRef
         fail(Status::invalid_mesh, "all vertices of the surface lie in one place");
 
     // Lengths, mollified just enough that every triangle keeps the triangle inequality with slack.
-    const double slack = kMollification * mesh.mean_edge_mm;
+    const double slack = kHeatMollification * mesh.mean_edge_mm;
     for (Index t = 0; t < used; ++t) {
         auto& front = cover.lengths[static_cast<std::size_t>(2 * t)];
         for (int k = 0; k < 3; ++k)

@@ -25,8 +25,8 @@
 namespace mien {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr std::size_t kChunk = 4096;
+constexpr double kHalfTurn = 3.14159265358979323846;
+constexpr std::size_t kEdgeChunk = 4096;
 
 void check_pair(const PointsRef& a, const PointsRef& b) {
     if (a.rows() != b.rows())
@@ -117,7 +117,7 @@ double dame(const TriMesh& reference, const TriMesh& other, const Context& conte
 
     using Sums = Eigen::Vector2d;
     const Sums sums = parallel_sum(
-        context, table.num_edges(), kChunk, Sums(Sums::Zero()), [&](std::size_t begin, std::size_t end) {
+        context, table.num_edges(), kEdgeChunk, Sums(Sums::Zero()), [&](std::size_t begin, std::size_t end) {
             Sums part = Sums::Zero();
             for (std::size_t e = begin; e < end; ++e) {
                 if (table.num_sides(e) != 2) continue;
@@ -152,7 +152,7 @@ Vector local_roughness(const TriMesh& mesh) {
     for (Index v = 0; v < n; ++v)
         defect[v] = border[static_cast<std::size_t>(v)] || defect[v] == 0
                         ? 0.0
-                        : std::abs(2 * kPi - defect[v]);
+                        : std::abs(2 * kHalfTurn - defect[v]);
     LaplacianOptions options;
     options.negative = NegativeCotangents::clamp;
     const SparseMatrix stiffness =

@@ -13,7 +13,7 @@ namespace {
 using test::mean_distance;
 using test::Study;
 
-TrainOptions small_options() {
+TrainOptions shard_options() {
     TrainOptions options;
     options.subspaces.identity_modes = 10;
     options.subspaces.expression_modes = 8;
@@ -41,7 +41,7 @@ TEST(Shards, MergedModelEqualsTheSingleRun) {
     const Study study;
     const auto data = study.dataset(0, study.subjects, "whole");
     for (TrainMethod method : {TrainMethod::joint_pca, TrainMethod::quasi_orthogonal}) {
-        TrainOptions options = small_options();
+        TrainOptions options = shard_options();
         options.subspaces.method = method;
         const auto whole = train_expression_model(data, options, Context());
         const auto paths = write_parts(data, 3, "part");

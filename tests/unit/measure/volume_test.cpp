@@ -14,11 +14,11 @@
 namespace mien {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
+constexpr double kHalfTurn = 3.14159265358979323846;
 
 TEST(Volume, BetweenTwoSpheresIsTheAnalyticShell) {
     const TriMesh inner = test::sphere(50.0, 6), outer = test::sphere(51.0, 6);
-    const double truth = 4.0 / 3.0 * kPi * (51.0 * 51.0 * 51.0 - 50.0 * 50.0 * 50.0) * 1e-3;
+    const double truth = 4.0 / 3.0 * kHalfTurn * (51.0 * 51.0 * 51.0 - 50.0 * 50.0 * 50.0) * 1e-3;
     EXPECT_NEAR(truth, 32.04, 0.01);
     const VolumeParts v =
         measure_volume(inner.vertices, outer.vertices, inner.triangles, {}, {}).whole.volume;
@@ -56,8 +56,8 @@ TEST(Volume, SplitsAPlaneAndASineThatCrossesIt) {
     const TriMesh plane = test::grid(80.0, 50.0, 173, 61);
     Points sine = plane.vertices;
     for (Index v = 0; v < sine.rows(); ++v)
-        sine(v, 2) = 2.0 * std::sin(2.0 * kPi * sine(v, 0) / 40.0);
-    const double truth = 2.0 * (2.0 * 40.0 / kPi) * 50.0 * 1e-3;
+        sine(v, 2) = 2.0 * std::sin(2.0 * kHalfTurn * sine(v, 0) / 40.0);
+    const double truth = 2.0 * (2.0 * 40.0 / kHalfTurn) * 50.0 * 1e-3;
     const VolumeParts v =
         measure_volume(plane.vertices, sine, plane.triangles, {}, {}).whole.volume;
     EXPECT_NEAR(v.positive_ml, truth, 1e-3 * truth);
@@ -193,13 +193,13 @@ TEST(Volume, RefusesInputThatDoesNotBelongTogether) {
 
 TEST(ClosedVolume, OfASphereIsAnalyticAndDoesNotMoveWithIt) {
     const TriMesh mesh = test::sphere(50.0, 6);
-    const double truth = 4.0 / 3.0 * kPi * 125.0;
+    const double truth = 4.0 / 3.0 * kHalfTurn * 125.0;
     const double here = closed_volume_ml(mesh.vertices, mesh.triangles, OpenRims::refuse, {});
     EXPECT_NEAR(here, truth, 1e-3 * truth);
     Points far = mesh.vertices.rowwise() + Eigen::RowVector3d(1e5, -2e5, 3e5);
     EXPECT_NEAR(closed_volume_ml(far, mesh.triangles, OpenRims::refuse, {}), here, 1e-7);
-    EXPECT_NEAR(surface_area_mm2(mesh.vertices, mesh.triangles), 4 * kPi * 2500.0,
-                1e-3 * 4 * kPi * 2500.0);
+    EXPECT_NEAR(surface_area_mm2(mesh.vertices, mesh.triangles), 4 * kHalfTurn * 2500.0,
+                1e-3 * 4 * kHalfTurn * 2500.0);
 }
 
 TEST(ClosedVolume, RefusesOpenAndInconsistentMeshesAndClosesRimsOnRequest) {
