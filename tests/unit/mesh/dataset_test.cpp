@@ -96,6 +96,17 @@ TEST(FaceDataset, LabelsTopologyAndUnitsAreChecked) {
     EXPECT_EQ(status_of([&] { FaceDataset::open(folder / "missing", {}, Context()); }), Status::io);
 }
 
+TEST(FaceDataset, AnotherKindOfFileIsToldFromADatasetAndAnUnlabelledOneIsRead) {
+    ScratchFolder folder;
+    const float f[1] = {0};
+    write_safetensors(folder / "model", {{"basis", DType::f32, {1}, f}},
+                      {{"kind", "mien-deformation-model"}, {"format", "1.0"}}, Context());
+    EXPECT_EQ(status_of([&] { FaceDataset::open(folder / "model", {}, Context()); }),
+              Status::wrong_kind);
+    write_set(folder / "set", Labels());
+    EXPECT_EQ(status_of([&] { FaceDataset::open(folder / "set", {}, Context()); }), Status::ok);
+}
+
 TEST(FaceDataset, TheWriterRefusesWhatItsReaderWould) {
     ScratchFolder folder;
     const TriMesh mesh = tetrahedron();
