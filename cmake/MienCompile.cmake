@@ -28,6 +28,10 @@ add_library(mien_flags INTERFACE)
 target_compile_options(mien_flags INTERFACE
     -Wall -Wextra -Wshadow -ffp-contract=off $<$<CXX_COMPILER_ID:GNU>:-Wno-psabi -Wno-maybe-uninitialized>
     $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fno-gnu-unique -fpch-preprocess>)
+if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # Joined files hide from GCC that a class stands in a source file of its own.
+    target_compile_options(mien_flags INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wno-subobject-linkage>)
+endif()
 if(MIEN_WERROR)
     target_compile_options(mien_flags INTERFACE -Werror)
 endif()
