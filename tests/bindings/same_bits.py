@@ -3,8 +3,9 @@
 
   same_bits.py PROJECT_DIR BUILD_DIR WORK_DIR LIBRARY
 
-Makes a small study and two models with the project's own commands, then runs C, C++, Python, C# and
-Java in memory, and the command through files. Hosts whose tools are missing are skipped by name.
+Makes a small study and two models with the project's own commands, then runs C, C++, Python, C#, Java
+through JNI, Java through the Foreign Function API (where a JDK of 22 or later is found) and the command,
+which goes through files. Hosts whose tools are missing are skipped by name.
 """
 import hashlib
 import json
@@ -54,16 +55,37 @@ def python_with_numpy():
     return None
 
 
-def host(name, in_memory, command, neutral):
+def foreign_java():
+    """A java of version 22 or later: the one in use, $MIEN_JAVA22, or any below /usr/lib/jvm."""
+    found = [os.environ.get("MIEN_JAVA22", ""), shutil.which("java") or "", *map(str, sorted(Path("/usr/lib/jvm").glob("*/bin/java")))]
+    for java in filter(None, found):
+        said = subprocess.run([java, "-version"], capture_output=True, text=True)
+        version = re.search(r'version "(\d+)', said.stderr)
+        if said.returncode == 0 and version and int(version.group(1)) >= 22 and (Path(java).resolve().parent / "javac").exists():
+            return java
+    return None
+
+
+def check_foreign_layout(source):
+    """The Java program names three fields of the options: their places must be those of the C struct."""
+    facts = dict(line.rsplit(" ", 1) for line in (project / "abi/layout/x86_64.txt").read_text().splitlines())
+    padding = int(re.search(r"paddingLayout\((\d+)\)", source.read_text()).group(1))
+    places = {"progress": 4 + padding, "progress_user": 12 + padding, "cancel": 20 + padding}
+    for field, place in places.items():
+        if int(facts[f"field mien_register_options.{field} offset"]) != place:
+            failed.append(f"{source.name}: mien_register_options.{field} is not at {place}")
+
+
+def host(name, neutral, command, saved):
     """Runs one host, and compares what it saved with what it says."""
     try:
         text = run(*command)
     except RuntimeError as failure:
         failed.append(f"{name}: {failure}")
         return
-    in_memory[name] = digest(neutral)
+    neutral[name] = digest(saved)
     said = re.search(r"neutral ([0-9a-f]{64})", text)
-    if said and said.group(1) != in_memory[name]:
+    if said and said.group(1) != neutral[name]:
         failed.append(f"{name}: prints another hash than that of the file it wrote")
 
 
@@ -79,14 +101,14 @@ def main():
     scan = demo / "scan/scan_grin.ply"
     models = [face, expressions, scan]
 
-    in_memory = {}
-    host("C", in_memory, [build / "bin/mien-first-program", *models, work / "c.ply"], work / "c.ply")
-    host("C++", in_memory, [build / "bin/mien-main-job", *models, work / "cpp_fitted.ply", work / "cpp.ply", work / "cpp_file.ply"],
+    neutral = {}
+    host("C", neutral, [build / "bin/mien-first-program", *models, work / "c.ply"], work / "c.ply")
+    host("C++", neutral, [build / "bin/mien-main-job", *models, work / "cpp_fitted.ply", work / "cpp.ply", work / "cpp_file.ply"],
          work / "cpp.ply")
 
     python = python_with_numpy()
     if python:
-        host("Python", in_memory, [python, project / "examples/python/main_job.py", *models, work / "py_fitted.ply", work / "py.ply"],
+        host("Python", neutral, [python, project / "examples/python/main_job.py", *models, work / "py_fitted.ply", work / "py.ply"],
              work / "py.ply")
     else:
         skipped.append("Python: no numpy (Debian package python3-numpy)")
@@ -95,7 +117,7 @@ def main():
         program = work / "main_job.exe"
         run("mcs", "-langversion:7", "-unsafe", "-warnaserror", f"-out:{program}", *sorted((project / "examples/csharp").glob("*.cs")))
         print("C#:", run("mono", program, "--self-test", project / "abi/layout/x86_64.txt").strip())
-        host("C#", in_memory, ["mono", program, *models, work / "cs_fitted.ply", work / "cs.ply"], work / "cs.ply")
+        host("C#", neutral, ["mono", program, *models, work / "cs_fitted.ply", work / "cs.ply"], work / "cs.ply")
     else:
         skipped.append("C#: no mono (Debian packages mono-mcs, mono-runtime, libmono-system-core4.0-cil)")
 
@@ -112,17 +134,30 @@ def main():
         print("Java:", said.strip().splitlines()[-1])
         if "WARNING" in said or "FATAL" in said:
             failed.append("Java: -Xcheck:jni complains:\n" + said)
-        host("Java", in_memory, [*java, *models, work / "java_fitted.ply", work / "java.ply"], work / "java.ply")
+        host("Java", neutral, [*java, *models, work / "java_fitted.ply", work / "java.ply"], work / "java.ply")
     else:
         skipped.append("Java: no JDK (Debian package openjdk-17-jdk-headless)")
 
-    # The command keeps the fitted face in a file between its two steps.
-    run(mien, "register", "--model", face, "--scan", scan, "--out", work / "cli_fitted.ply")
-    run(mien, "neutralize", "--model", expressions, "--in", work / "cli_fitted.ply", "--out", work / "cli.ply")
-    from_file = {"C++ through a file": digest(work / "cpp_file.ply"), "command": digest(work / "cli.ply")}
+    java = foreign_java()
+    source = project / "examples/java/foreign/MainJobForeign.java"
+    check_foreign_layout(source)
+    if java:
+        host("Java, no C", neutral, [java, "--enable-native-access=ALL-UNNAMED", f"-Dmien.library={library}", source, *models,
+                                     work / "foreign_fitted.ply", work / "foreign.ply"], work / "foreign.ply")
+    else:
+        skipped.append("Java by the Foreign Function API: no JDK of 22 or later (set MIEN_JAVA22 to its java)")
+
+    # The command keeps the fitted face and its weights in files between its two steps.
+    run(mien, "register", "--model", face, "--scan", scan, "--out", work / "cli_fitted.ply", "--json", work / "cli_fit.json")
+    run(mien, "neutralize", "--model", expressions, "--in", work / "cli_fitted.ply", "--weights", work / "cli_fit.json",
+        "--out", work / "cli.ply")
+    neutral["command"] = digest(work / "cli.ply")
+    # The same without the weights that only a registration knows.
+    run(mien, "neutralize", "--model", expressions, "--in", work / "cli_fitted.ply", "--out", work / "cli_file.ply")
+    from_file = {"C++": digest(work / "cpp_file.ply"), "command": digest(work / "cli_file.ply")}
     fitted = {"C++": digest(work / "cpp_fitted.ply"), "command": digest(work / "cli_fitted.ply")}
 
-    for title, hashes in (("neutral face, in memory", in_memory), ("fitted face", fitted), ("neutral face, through a file", from_file)):
+    for title, hashes in (("neutral face", neutral), ("fitted face", fitted), ("neutral face of a bare mesh", from_file)):
         print(title)
         for name, value in hashes.items():
             print(f"  {name:20} {value}")
