@@ -8,6 +8,7 @@
 #include "expression/scan_transfer.hpp"
 #include "expression_options.hpp"
 #include "guard.hpp"
+#include "memory_file.hpp"
 #include "options.hpp"
 #include "registration.hpp"
 #include "session.hpp"
@@ -184,6 +185,18 @@ mien_status MIEN_CALL mien_expression_model_load(mien_session* session, const ch
     return guarded_create(out, error, [&] {
         const Call call(session);
         auto model = load_expression_model(checked_text(path, "path"), {}, call.context());
+        std::string json = model_json(*model);
+        return new mien_expression_model(std::move(model), std::move(json));
+    });
+}
+
+mien_status MIEN_CALL mien_expression_model_load_memory(mien_session* session, const void* data,
+                                                        uint64_t size, mien_expression_model** out,
+                                                        mien_error* error) {
+    return guarded_create(out, error, [&] {
+        const Call call(session);
+        const MemoryFile from = copy_memory_file(data, size, call.context());
+        auto model = keep_memory_file(from, *read_expression_model(from.file));
         std::string json = model_json(*model);
         return new mien_expression_model(std::move(model), std::move(json));
     });

@@ -4,6 +4,7 @@
 
 #include "arrays.hpp"
 #include "guard.hpp"
+#include "memory_file.hpp"
 #include "mesh/dataset.hpp"
 #include "model/model_builder.hpp"
 #include "model/model_json.hpp"
@@ -235,6 +236,15 @@ mien_status MIEN_CALL mien_model_build(mien_session* session, const mien_mesh* t
 mien_status MIEN_CALL mien_model_load(mien_session* session, const char* path, mien_model** out,
                                       mien_error* error) {
     return load(session, path, true, out, error);
+}
+
+mien_status MIEN_CALL mien_model_load_memory(mien_session* session, const void* data, uint64_t size,
+                                             mien_model** out, mien_error* error) {
+    return guarded_create(out, error, [&] {
+        const Call call(session);
+        const MemoryFile from = copy_memory_file(data, size, call.context());
+        return new mien_model(keep_memory_file(from, *read_deformation_model(from.file)));
+    });
 }
 
 mien_status MIEN_CALL mien_model_load_trusted(mien_session* session, const char* path,

@@ -152,10 +152,10 @@ mien_status MIEN_CALL mien_registration_get_field(const mien_registration* regis
         Vector scaled;
         const Vector* values = nullptr;
         switch (field) {
-            case MIEN_FIELD_RESIDUAL_MM: values = &data.residual_mm; break;
-            case MIEN_FIELD_WEIGHT: values = &data.weight; break;
-            case MIEN_FIELD_STANDARD_DEVIATION_MM: values = &data.confidence_mm; break;
-            case MIEN_FIELD_RADIUS95_MM:
+            case MIEN_REGISTRATION_RESIDUAL_MM: values = &data.residual_mm; break;
+            case MIEN_REGISTRATION_WEIGHT: values = &data.weight; break;
+            case MIEN_REGISTRATION_STANDARD_DEVIATION_MM: values = &data.confidence_mm; break;
+            case MIEN_REGISTRATION_RADIUS95_MM:
                 scaled = kRadius95 * data.confidence_mm;
                 values = &scaled;
                 break;

@@ -68,13 +68,13 @@ namespace Mien.Native
         internal const int MIEN_UNITS_DETECT = 0;
         internal const int MIEN_UNITS_MILLIMETRES = 1;
         internal const int MIEN_UNITS_REFUSE = 2;
-        internal const int MIEN_FIT_GOOD = 0;
-        internal const int MIEN_FIT_DOUBTFUL = 1;
-        internal const int MIEN_FIT_FAILED = 2;
-        internal const int MIEN_FIELD_RESIDUAL_MM = 1;
-        internal const int MIEN_FIELD_WEIGHT = 2;
-        internal const int MIEN_FIELD_STANDARD_DEVIATION_MM = 3;
-        internal const int MIEN_FIELD_RADIUS95_MM = 4;
+        internal const int MIEN_QUALITY_GOOD = 0;
+        internal const int MIEN_QUALITY_DOUBTFUL = 1;
+        internal const int MIEN_QUALITY_FAILED = 2;
+        internal const int MIEN_REGISTRATION_RESIDUAL_MM = 1;
+        internal const int MIEN_REGISTRATION_WEIGHT = 2;
+        internal const int MIEN_REGISTRATION_STANDARD_DEVIATION_MM = 3;
+        internal const int MIEN_REGISTRATION_RADIUS95_MM = 4;
         internal const int MIEN_TRANSFER_LANDMARKS = 1;
         internal const int MIEN_TRANSFER_ZONES = 2;
         internal const int MIEN_TRAIN_JPCA = 0;
@@ -844,6 +844,14 @@ namespace Mien.Native
 
 #if NET7_0_OR_GREATER
         [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_model_load_memory(SessionHandle session, IntPtr data, ulong size, out ModelHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_model_load_memory(SessionHandle session, IntPtr data, ulong size, out ModelHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial int mien_model_load_trusted(SessionHandle session, byte[] path, out ModelHandle @out, ref Error error);
 #else
         [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
@@ -1120,6 +1128,14 @@ namespace Mien.Native
 #else
         [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int mien_expression_model_load(SessionHandle session, byte[] path, out ExpressionModelHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_expression_model_load_memory(SessionHandle session, IntPtr data, ulong size, out ExpressionModelHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_expression_model_load_memory(SessionHandle session, IntPtr data, ulong size, out ExpressionModelHandle @out, ref Error error);
 #endif
 
 #if NET7_0_OR_GREATER

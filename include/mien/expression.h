@@ -270,6 +270,27 @@ MIEN_API mien_status MIEN_CALL mien_expression_model_load(mien_session *session,
                                                           mien_expression_model **out, mien_error *error);
 
 /**
+ * Loads a model from the bytes of a model file that the host holds in memory. They are copied and checked
+ * like a file.
+ *
+ * @param session [in] not null.
+ * @param data    [in] not null; size bytes, any alignment; not read after the call.
+ * @param size    [in] of the whole file, bytes.
+ * @param out     [out] not null; the model, or null on failure.
+ * @param error   [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_BAD_FORMAT, MIEN_E_WRONG_KIND,
+ *         MIEN_E_UNSUPPORTED_VERSION, MIEN_E_CORRUPT, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY
+ * @owner  the caller releases *out with mien_expression_model_release()
+ * @thread externally synchronized by session
+ * @cancel no
+ * @cost   O(size), and as much memory
+ * @since  0.1
+ */
+MIEN_API mien_status MIEN_CALL mien_expression_model_load_memory(mien_session *session, const void *data,
+                                                                 uint64_t size, mien_expression_model **out,
+                                                                 mien_error *error);
+
+/**
  * Writes a model file (safetensors, kind "mien-expression-model"). Atomic.
  *
  * @param session [in] not null.

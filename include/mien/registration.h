@@ -68,12 +68,12 @@ typedef struct mien_register_options {
 } mien_register_options;
 
 /** How far a fit is to be trusted. */
-enum { MIEN_FIT_GOOD = 0, MIEN_FIT_DOUBTFUL = 1, MIEN_FIT_FAILED = 2 };
+enum { MIEN_QUALITY_GOOD = 0, MIEN_QUALITY_DOUBTFUL = 1, MIEN_QUALITY_FAILED = 2 };
 
 /** The verdict on a fit; the reasons in words are in the JSON report. */
 typedef struct mien_fit_verdict {
     uint32_t struct_size;
-    int32_t quality;          /**< MIEN_FIT_* */
+    int32_t quality;          /**< MIEN_QUALITY_* */
     double coverage;          /**< share of the template's vertices with a scan beside them */
     double inlier_share;      /**< of those: share that lies on the scan */
     double mean_residual_mm;
@@ -89,10 +89,10 @@ typedef struct mien_fit_verdict {
 
 /** Fields with one value per template vertex. */
 enum {
-    MIEN_FIELD_RESIDUAL_MM = 1,      /**< signed distance to the scan, positive: the scan lies outside */
-    MIEN_FIELD_WEIGHT = 2,           /**< in [0, 1]: how much of the scan's say counted */
-    MIEN_FIELD_STANDARD_DEVIATION_MM = 3, /**< of the place, per axis (root mean square) */
-    MIEN_FIELD_RADIUS95_MM = 4       /**< the true place lies within, 95 times out of 100 */
+    MIEN_REGISTRATION_RESIDUAL_MM = 1,      /**< signed distance to the scan, positive: the scan lies outside */
+    MIEN_REGISTRATION_WEIGHT = 2,           /**< in [0, 1]: how much of the scan's say counted */
+    MIEN_REGISTRATION_STANDARD_DEVIATION_MM = 3, /**< of the place, per axis (root mean square) */
+    MIEN_REGISTRATION_RADIUS95_MM = 4       /**< the true place lies within, 95 times out of 100 */
 };
 
 /**
@@ -169,8 +169,8 @@ MIEN_API mien_status MIEN_CALL mien_registration_get_verdict(const mien_registra
  * Copies a field with one float64 per template vertex. With dst null and capacity 0: the count only.
  *
  * @param registration [in] not null.
- * @param field        [in] one of MIEN_FIELD_RESIDUAL_MM, MIEN_FIELD_WEIGHT,
- *                     MIEN_FIELD_STANDARD_DEVIATION_MM, MIEN_FIELD_RADIUS95_MM.
+ * @param field        [in] one of MIEN_REGISTRATION_RESIDUAL_MM, MIEN_REGISTRATION_WEIGHT,
+ *                     MIEN_REGISTRATION_STANDARD_DEVIATION_MM, MIEN_REGISTRATION_RADIUS95_MM.
  * @param dst          [out] room for capacity values, or null.
  * @param capacity     [in] values that dst holds.
  * @param count        [out] may be null; #V.

@@ -34,7 +34,7 @@ std::vector<double> read_weights(const std::string& path) {
 /// The fitted face coloured by its distance to the scan.
 void write_heatmap(const std::string& path, const Registration& fit) {
     RenderOptions options;
-    options.scalar = fit.field(MIEN_FIELD_RESIDUAL_MM);
+    options.scalar = fit.field(MIEN_REGISTRATION_RESIDUAL_MM);
     options.color_map = ColorMap::diverging;
     options.low = -2;
     options.high = 2;
@@ -68,9 +68,9 @@ void run_register(const RegisterArguments& arguments) {
     nlohmann::json report = nlohmann::json::parse(fit.json());
     report["out"] = arguments.out;
     if (!arguments.common.json_path.empty()) {
-        report["residual_mm"] = fit.field(MIEN_FIELD_RESIDUAL_MM);
-        report["weight"] = fit.field(MIEN_FIELD_WEIGHT);
-        report["radius95_mm"] = fit.field(MIEN_FIELD_RADIUS95_MM);
+        report["residual_mm"] = fit.field(MIEN_REGISTRATION_RESIDUAL_MM);
+        report["weight"] = fit.field(MIEN_REGISTRATION_WEIGHT);
+        report["radius95_mm"] = fit.field(MIEN_REGISTRATION_RADIUS95_MM);
     }
     write_report(arguments.common, report);
     if (!arguments.heatmap.empty()) write_heatmap(arguments.heatmap, fit);

@@ -101,11 +101,11 @@ Fitted fit_capture(const Session& session, const ReportSettings& settings, const
     options.progress = progress_bar();
     const Registration fit(session, *model, Mesh(session, capture.mesh), options);
     const mien_fit_verdict verdict = fit.verdict();
-    Fitted fitted{fit.mesh(), fit.field(MIEN_FIELD_STANDARD_DEVIATION_MM), "", verdict.quality == MIEN_FIT_GOOD,
+    Fitted fitted{fit.mesh(), fit.field(MIEN_REGISTRATION_STANDARD_DEVIATION_MM), "", verdict.quality == MIEN_QUALITY_GOOD,
                   nlohmann::json::parse(fit.json())};
     char text[160];
     std::snprintf(text, sizeof text, "fit %s: %.2f mm from the scan, %.0f %% of the face seen",
-                  verdict.quality == MIEN_FIT_GOOD ? "good" : verdict.quality == MIEN_FIT_DOUBTFUL ? "doubtful" : "failed",
+                  verdict.quality == MIEN_QUALITY_GOOD ? "good" : verdict.quality == MIEN_QUALITY_DOUBTFUL ? "doubtful" : "failed",
                   verdict.mean_residual_mm, 100 * verdict.coverage);
     fitted.verdict = text;
     if (expressions != nullptr) {

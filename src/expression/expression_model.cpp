@@ -103,7 +103,10 @@ void finish_expression_model(ExpressionModel& model) {
 std::shared_ptr<const ExpressionModel> load_expression_model(const std::string& path,
                                                              const SafetensorsReadOptions& options,
                                                              const Context& context) {
-    const SafetensorsFile file = SafetensorsFile::open(path, options, context);
+    return read_expression_model(SafetensorsFile::open(path, options, context));
+}
+
+std::shared_ptr<const ExpressionModel> read_expression_model(const SafetensorsFile& file) {
     file.require_kind(kKind, 1);
     auto model = std::make_shared<ExpressionModel>();
 

@@ -75,6 +75,8 @@ void finish_expression_model(ExpressionModel& model);
 std::shared_ptr<const ExpressionModel> load_expression_model(const std::string& path,
                                                              const SafetensorsReadOptions& options,
                                                              const Context& context);
+/// The same from an opened file or a view of memory; what the model borrows stays alive with it.
+std::shared_ptr<const ExpressionModel> read_expression_model(const SafetensorsFile& file);
 void save_expression_model(const std::string& path, const ExpressionModel& model,
                            const Context& context);
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 #include <limits>
 
 #include "handles.hpp"
@@ -108,6 +110,12 @@ TEST_F(Expression, AModelFileGivesTheSameBits) {
     EXPECT_EQ(mien::Neutralization(*session_, *model_, face(21, 2)).mesh().positions(),
               mien::Neutralization(*session_, loaded, face(21, 2)).mesh().positions());
     EXPECT_EQ(loaded.identity_modes(), model_->identity_modes());
+    std::ifstream file(path, std::ios::binary);
+    std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    const mien::ExpressionModel copied = mien::ExpressionModel::load_memory(*session_, bytes.data(), bytes.size());
+    std::fill(bytes.begin(), bytes.end(), '\0');
+    EXPECT_EQ(mien::Neutralization(*session_, copied, face(21, 2)).mesh().positions(),
+              mien::Neutralization(*session_, loaded, face(21, 2)).mesh().positions());
     std::remove(path.c_str());
 }
 

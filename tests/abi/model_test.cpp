@@ -1,6 +1,8 @@
 // Deformation models through the shared library alone.
 #include <cmath>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 #include <limits>
 
 #include "handles.hpp"
@@ -89,6 +91,50 @@ TEST(AbiModel, BuildsSavesAndLoadsTheSameModel) {
         mien_mesh_release(b);
         mien_model_release(loaded);
     }
+}
+
+TEST(AbiModel, LoadsFromMemoryWhateverBecomesOfTheBytes) {
+    Session session;
+    const std::string path = temporary_path("memory.safetensors");
+    ASSERT_EQ(MIEN_OK, mien_model_save(session, build(session, small_options()).get(), path.c_str(), nullptr));
+    std::ifstream file(path, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    std::vector<char> crooked(bytes.size() + 1);
+    std::copy(bytes.begin(), bytes.end(), crooked.begin() + 1);
+    mien_model *raw = nullptr, *conditioned = nullptr;
+    mien_error error = fresh_error();
+    ASSERT_EQ(MIEN_OK, mien_model_load_memory(session, crooked.data() + 1, bytes.size(), &raw, &error)) << error.message;
+    std::fill(crooked.begin(), crooked.end(), '\0');
+    Model from_memory(raw, mien_model_release);
+    ASSERT_EQ(MIEN_OK, mien_model_load(session, path.c_str(), &raw, &error)) << error.message;
+    const Model from_file(raw, mien_model_release);
+    EXPECT_EQ(json_of(from_memory.get()), json_of(from_file.get()));
+    // A model made from it borrows its modes, and outlives it.
+    const mien_landmark_observation seen{"nose", 0, 0, {50, 50, 3}, 1};
+    ASSERT_EQ(MIEN_OK, mien_model_condition(session, from_memory.get(), &seen, 1, &conditioned, nullptr));
+    from_memory.reset();
+    const Model after(conditioned, mien_model_release);
+    ASSERT_EQ(MIEN_OK, mien_model_condition(session, from_file.get(), &seen, 1, &raw, nullptr));
+    const Model expected(raw, mien_model_release);
+    const auto sample = [&](const mien_model* model) {
+        mien_mesh* face = nullptr;
+        EXPECT_EQ(MIEN_OK, mien_model_sample(session, model, 3, 0, 1, &face, nullptr));
+        const std::vector<double> positions = positions_of(face);
+        mien_mesh_release(face);
+        return positions;
+    };
+    EXPECT_EQ(sample(after.get()), sample(expected.get()));
+    // A size that is not the file's.
+    for (const std::uint64_t size : {std::uint64_t{0}, std::uint64_t{bytes.size() - 1}, std::uint64_t{bytes.size() + 1},
+                                     ~std::uint64_t{0}, ~std::uint64_t{0} >> 1})
+        EXPECT_NE(MIEN_OK, mien_model_load_memory(session, bytes.data(), size, &raw, nullptr)) << size;
+    std::string damaged = bytes;
+    damaged[damaged.size() - 5] ^= 1;
+    EXPECT_EQ(MIEN_E_CORRUPT, mien_model_load_memory(session, damaged.data(), damaged.size(), &raw, nullptr));
+    mien_expression_model* other = nullptr;
+    EXPECT_EQ(MIEN_E_WRONG_KIND, mien_expression_model_load_memory(session, bytes.data(), bytes.size(), &other, nullptr));
+    EXPECT_EQ(MIEN_E_MEMORY_BUDGET, mien_model_load_memory(Session(1, 1000), bytes.data(), bytes.size(), &raw, nullptr));
+    std::remove(path.c_str());
 }
 
 TEST(AbiModel, TemplateOutlivesTheModelWhenRetained) {

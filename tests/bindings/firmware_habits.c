@@ -138,7 +138,7 @@ static long mapped_kilobytes(void)
 
 int main(int argc, char **argv)
 {
-    char name[] = "/tmp/mien-firmware-XXXXXX", json[2][65536] = {"", ""}, folder[4096];
+    char name[] = "firmware-heard-XXXXXX", json[2][65536] = {"", ""}, folder[4096];
     int heard, round, files;
     long before = 0;
     pthread_attr_t attributes;
@@ -148,6 +148,7 @@ int main(int argc, char **argv)
     if (argc < 2 || realpath(argv[1], folder) == NULL) return 2;
     report = dup(1);
     heard = mkstemp(name);
+    if (heard < 0) return 2; /* the working folder is the test's own */
     unlink(name);
     dup2(heard, 1);
     dup2(heard, 2);

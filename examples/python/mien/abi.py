@@ -61,13 +61,13 @@ MIEN_START_SEARCH = 3
 MIEN_UNITS_DETECT = 0
 MIEN_UNITS_MILLIMETRES = 1
 MIEN_UNITS_REFUSE = 2
-MIEN_FIT_GOOD = 0
-MIEN_FIT_DOUBTFUL = 1
-MIEN_FIT_FAILED = 2
-MIEN_FIELD_RESIDUAL_MM = 1
-MIEN_FIELD_WEIGHT = 2
-MIEN_FIELD_STANDARD_DEVIATION_MM = 3
-MIEN_FIELD_RADIUS95_MM = 4
+MIEN_QUALITY_GOOD = 0
+MIEN_QUALITY_DOUBTFUL = 1
+MIEN_QUALITY_FAILED = 2
+MIEN_REGISTRATION_RESIDUAL_MM = 1
+MIEN_REGISTRATION_WEIGHT = 2
+MIEN_REGISTRATION_STANDARD_DEVIATION_MM = 3
+MIEN_REGISTRATION_RADIUS95_MM = 4
 MIEN_TRANSFER_LANDMARKS = 1
 MIEN_TRANSFER_ZONES = 2
 MIEN_TRAIN_JPCA = 0
@@ -545,6 +545,7 @@ SIGNATURES = {
     "mien_model_options_init": (None, [ctypes.POINTER(ModelOptions), ctypes.c_size_t]),
     "mien_model_build": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ModelOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_model_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_model_load_memory": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_model_load_trusted": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_model_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
     "mien_model_get_counts": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
@@ -580,6 +581,7 @@ SIGNATURES = {
     "mien_expression_shard_create": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ShardOptions), ctypes.c_char_p, ctypes.POINTER(Error)]),
     "mien_expression_model_merge": (ctypes.c_int32, [ctypes.c_void_p, ctypes.POINTER(ctypes.c_char_p), ctypes.c_uint32, ctypes.POINTER(TrainOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_expression_model_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_expression_model_load_memory": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_expression_model_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
     "mien_expression_model_retain": (None, [ctypes.c_void_p]),
     "mien_expression_model_release": (None, [ctypes.c_void_p]),

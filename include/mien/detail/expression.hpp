@@ -37,6 +37,12 @@ class ExpressionModel {
         bridge.call(mien_expression_model_train, session.get(), dataset_path.c_str(), &options, &model);
         return ExpressionModel(model);
     }
+    /// From the bytes of a model file, which are copied.
+    static ExpressionModel load_memory(const Session& session, const void* data, std::size_t size) {
+        mien_expression_model* model = nullptr;
+        detail::call(mien_expression_model_load_memory, session.get(), data, size, &model);
+        return ExpressionModel(model);
+    }
     /// Writes what part `part` of `part_count` of a dataset contributes to training.
     static void write_shard(const Session& session, const std::string& dataset_path, int part,
                             int part_count, const std::string& shard_path, int max_rank = 512,

@@ -114,6 +114,12 @@ class Model {
         detail::call(mien_model_load_trusted, session.get(), path.c_str(), &model);
         return Model(model);
     }
+    /// From the bytes of a model file, which are copied.
+    static Model load_memory(const Session& session, const void* data, std::size_t size) {
+        mien_model* model = nullptr;
+        detail::call(mien_model_load_memory, session.get(), data, size, &model);
+        return Model(model);
+    }
     /// Takes over one reference.
     explicit Model(mien_model* owned) : handle_(owned, mien_model_release) {}
 

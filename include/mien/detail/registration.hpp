@@ -53,7 +53,7 @@ class Registration {
         detail::call(mien_registration_get_verdict, get(), &out);
         return out;
     }
-    /// MIEN_FIELD_RESIDUAL_MM and its kin, one value per template vertex.
+    /// MIEN_REGISTRATION_RESIDUAL_MM and its kin, one value per template vertex.
     std::vector<double> field(std::int32_t field) const {
         std::uint64_t count = 0;
         detail::call(mien_registration_get_field, get(), field, nullptr, std::uint64_t{0}, &count);

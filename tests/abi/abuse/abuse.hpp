@@ -95,6 +95,7 @@ class Fixtures {
 };
 
 // good_values.cpp: what a careful host would give.
+std::string file_of(const std::string& function);
 const char* good_text(const FunctionRow& row, const std::string& name);
 std::int64_t good_whole(const FunctionRow& row, const std::string& name);
 double good_real(const std::string& name);

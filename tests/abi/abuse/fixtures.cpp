@@ -1,6 +1,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 
 #include "abuse.hpp"
 
@@ -12,6 +14,15 @@ namespace {
 template <typename T>
 void put(std::vector<std::uint64_t>& bytes, std::size_t offset, const T& value) {
     std::memcpy(reinterpret_cast<char*>(bytes.data()) + offset, &value, sizeof value);
+}
+
+std::vector<std::uint64_t> read_file(const std::string& path, std::int64_t& size) {
+    std::ifstream file(path, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    size = static_cast<std::int64_t>(bytes.size());
+    std::vector<std::uint64_t> words(bytes.size() / 8 + 1);
+    std::memcpy(words.data(), bytes.data(), bytes.size());
+    return words;
 }
 
 }  // namespace
@@ -86,6 +97,12 @@ Fixtures::Fixtures() {
     mien_measure_distance(session, mesh, mesh, nullptr, &distances, nullptr);
     distances_ = distances;
     handles_.emplace_back("mien_measurement", distances);
+    // What the loading functions read.
+    for (const FunctionRow& row : functions()) {
+        std::vector<Argument> arguments;
+        if (std::string(row.name).find("_save") != std::string::npos && good_arguments(row, arguments))
+            row.call(arguments.data());
+    }
 }
 
 std::vector<double> Fixtures::face(int subject, int expression) const {
@@ -177,6 +194,7 @@ bool Fixtures::good_arguments(const FunctionRow& row, std::vector<Argument>& arg
     static const char* const names[] = {"neutral", "grin", nullptr};
     static const char* const shards[] = {"abuse_shard0.safetensors", "abuse_shard1.safetensors", nullptr};
     begin_call();
+    std::int64_t file_size = 0;
     kept_.clear();
     arguments.assign(row.parameters.size() + 1, Argument{});
     bool complete = true;
@@ -210,6 +228,11 @@ bool Fixtures::good_arguments(const FunctionRow& row, std::vector<Argument>& arg
                 argument.pointer = kept_.back().data();
                 break;
             case Kind::array_in:
+                if (name == "data") {  // the bytes of a file
+                    kept_.push_back(read_file(file_of(row.name), file_size));
+                    argument.pointer = kept_.back().data();
+                    break;
+                }
                 kept_.emplace_back(4096);
                 fill_array(name, parameter.type, kept_.back());
                 argument.pointer = kept_.back().data();
@@ -221,7 +244,7 @@ bool Fixtures::good_arguments(const FunctionRow& row, std::vector<Argument>& arg
                 argument.pointer = kept_.back().data();
                 break;
             case Kind::whole:
-                argument.whole = good_whole(row, name);
+                argument.whole = name == "size" ? file_size : good_whole(row, name);
                 break;
             case Kind::real: argument.real = good_real(name); break;
             case Kind::callback: argument.function = reinterpret_cast<void (*)()>(&stop_late); break;

@@ -55,7 +55,7 @@ constexpr Number kNumbers[] = {
     {"", "close_rims", 1},
     {"", "carry", MIEN_CARRY_CLOSEST_POINT},
     {"", "kind", MIEN_FEATURES_EUCLIDEAN_STANDARDISED},
-    {"registration", "field", MIEN_FIELD_RESIDUAL_MM},
+    {"registration", "field", MIEN_REGISTRATION_RESIDUAL_MM},
     {"measurement", "field", MIEN_FIELD_POSITIVE_VOLUME_MM3},
     {"measurement", "zone", MIEN_ZONE_WHOLE},
 };
