@@ -145,6 +145,8 @@ void fit_surface(const DeformationModel& model, const ScanSurface& scan, const V
         const Points place_normals = pick_rows(vertex_normals(state.places, model.template_mesh.triangles), solver);
         find_correspondences(scan, pick_rows(state.places, solver), place_normals, scan_weight, match,
                              state.matches, context);
+        for (Index row = 0; row < solver.num_rows() && !state.inner.empty(); ++row)
+            if (state.inner[static_cast<std::size_t>(solver.vertex(row))]) state.matches.weight[row] = 0;
 
         const Similarity to_model = state.motion.inverse();
         terms.reset(solver.num_rows());

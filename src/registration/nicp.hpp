@@ -21,6 +21,7 @@ struct FitState {
     FitCoefficients coefficients;
     Points displacement;            ///< #V x 3, model frame
     Points places;                  ///< #V x 3, scan frame
+    std::vector<std::uint8_t> inner;  ///< #V or empty: vertices without a say (inner.hpp)
     Correspondences matches;
     Vector final_weight;            ///< #V, of the last round
     std::vector<double> energy;

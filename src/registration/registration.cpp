@@ -8,6 +8,7 @@
 #include "geometry/normals.hpp"
 #include "mesh/cleaning.hpp"
 #include "registration/confidence.hpp"
+#include "registration/inner.hpp"
 #include "registration/nicp.hpp"
 #include "registration/refine.hpp"
 #include "registration/skin.hpp"
@@ -118,6 +119,7 @@ void approach(const DeformationModel& model, const ScanSurface& scan, const Vect
     FitState rough;
     rough.motion = state.motion;
     rough.kernel_amplitude = state.kernel_amplitude;
+    rough.inner = state.inner;
     rough.coefficients.kernel.setZero(r, 3);
     rough.coefficients.pca.setZero(p);
     fit_surface(model, scan, scan_weight, {}, first, rough, context);
@@ -166,6 +168,7 @@ void assess(const DeformationModel& model, const ScanSurface& scan, const std::v
     for (Index i = 0; i < n; ++i) {
         const SurfaceHit& hit = result.correspondence[static_cast<std::size_t>(i)];
         if (!hit.valid() || scan.at_border(hit) || hit.distance() > 10) continue;
+        if (state.inner[static_cast<std::size_t>(i)]) continue;
         ++beside;
         if (hit.distance() > near || !(state.final_weight[i] > 0)) continue;
         ++inliers;
@@ -236,6 +239,7 @@ RegistrationResult register_scan(const DeformationModel& model, const TriMesh& r
     }
     state.coefficients.kernel.setZero(r, 3);
     state.coefficients.pca.setZero(p);
+    state.inner = find_inner_vertices(model.template_mesh, context);
 
     // The start.
     std::vector<std::string> names;
@@ -299,9 +303,12 @@ RegistrationResult register_scan(const DeformationModel& model, const TriMesh& r
         gap.smoothness = options.gap_smoothness;
         gap.robust_scale_mm = 2 * options.sigma_end_mm;
         const Points before = state.places;
-        close_gap(scan, triangles, rings, Vector::Ones(n), options.correspondence, gap, state.places, context);
+        Vector open(n);
+        for (Index i = 0; i < n; ++i) open[i] = state.inner[static_cast<std::size_t>(i)] ? 0 : 1;
+        close_gap(scan, triangles, rings, open, options.correspondence, gap, state.places, context);
         if (options.repair) repaired = undo_turns(before, triangles, rings, state.places);
     }
+    carry_inner(rest, state.inner, state.places, context);
     result.verdict.repaired_triangles = static_cast<int>(repaired);
     result.verdict.flipped_triangles =
         static_cast<int>(find_folds(state.places, rest, triangles, -0.7, 0.7).size());

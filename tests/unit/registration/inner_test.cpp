@@ -1,0 +1,81 @@
+// Walls that no scanner sees, found and carried with the skin.
+#include "registration/inner.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace mien;
+
+constexpr int kSide = 21;
+
+/// A square plate of 2 mm cells at height z, its normals along +z or -z.
+void add_plate(TriMesh& mesh, double z, bool upwards) {
+    const Index first = mesh.vertices.rows(), old = mesh.triangles.rows();
+    mesh.vertices.conservativeResize(first + kSide * kSide, 3);
+    mesh.triangles.conservativeResize(old + 2 * (kSide - 1) * (kSide - 1), 3);
+    for (int j = 0; j < kSide; ++j)
+        for (int i = 0; i < kSide; ++i) mesh.vertices.row(first + j * kSide + i) << 2.0 * i, 2.0 * j, z;
+    Index t = old;
+    for (int j = 0; j + 1 < kSide; ++j)
+        for (int i = 0; i + 1 < kSide; ++i) {
+            const auto a = static_cast<std::uint32_t>(first + j * kSide + i), b = a + 1, c = a + kSide, d = c + 1;
+            mesh.triangles.row(t++) << a, (upwards ? b : d), (upwards ? d : b);
+            mesh.triangles.row(t++) << a, (upwards ? d : c), (upwards ? c : d);
+        }
+}
+
+/// Skin at z = 6, and beneath it two walls that face each other, 3 mm apart.
+TriMesh pocket() {
+    TriMesh mesh;
+    mesh.vertices.resize(0, 3);
+    mesh.triangles.resize(0, 3);
+    add_plate(mesh, 6, true);
+    add_plate(mesh, 4, false);
+    add_plate(mesh, 1, true);
+    return mesh;
+}
+
+Index middle(int plate) { return plate * kSide * kSide + (kSide / 2) * kSide + kSide / 2; }
+
+TEST(InnerVertices, WallsThatFaceEachOtherAreFoundAndSkinIsNot) {
+    const std::vector<std::uint8_t> inner = find_inner_vertices(pocket(), Context());
+    EXPECT_TRUE(inner[static_cast<std::size_t>(middle(1))]);
+    EXPECT_TRUE(inner[static_cast<std::size_t>(middle(2))]);
+    for (int v = 0; v < kSide * kSide; ++v) EXPECT_FALSE(inner[static_cast<std::size_t>(v)]) << v;
+}
+
+TEST(InnerVertices, AnOpenPlateHasNone) {
+    TriMesh mesh;
+    mesh.vertices.resize(0, 3);
+    mesh.triangles.resize(0, 3);
+    add_plate(mesh, 0, true);
+    for (const std::uint8_t inner : find_inner_vertices(mesh, Context())) EXPECT_FALSE(inner);
+}
+
+TEST(InnerVertices, AScansSlimNoseTakesTheNostrilsSacAlong) {
+    const TriMesh mesh = pocket();
+    const std::vector<std::uint8_t> inner = find_inner_vertices(mesh, Context());
+    const Eigen::RowVector3d shift(-3, 1, 0.5);
+    Points places = mesh.vertices;
+    for (Index v = 0; v < places.rows(); ++v)
+        if (!inner[static_cast<std::size_t>(v)]) places.row(v) += shift;
+    const Points before = places;
+    carry_inner(mesh.vertices, inner, places, Context());
+    for (const int plate : {1, 2})
+        EXPECT_LT((places.row(middle(plate)) - mesh.vertices.row(middle(plate)) - shift).norm(), 1e-9) << plate;
+    for (Index v = 0; v < places.rows(); ++v)
+        if (!inner[static_cast<std::size_t>(v)]) {
+            EXPECT_EQ(places.row(v), before.row(v));
+        }
+}
+
+TEST(InnerVertices, WithoutOpenSkinNothingMoves) {
+    const TriMesh mesh = pocket();
+    Points places = mesh.vertices.array() + 1.0;
+    const Points before = places;
+    carry_inner(mesh.vertices, std::vector<std::uint8_t>(static_cast<std::size_t>(places.rows()), 1), places, Context());
+    EXPECT_EQ(places, before);
+}
+
+}  // namespace
