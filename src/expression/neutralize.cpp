@@ -6,7 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
-#include "geometry/alignment.hpp"
+#include "expression/placed_fit.hpp"
 
 namespace mien {
 namespace {
@@ -84,147 +84,21 @@ Vector expression_displacement(const Context& context, const ExpressionModel& mo
     return moved;
 }
 
-namespace {
-
-constexpr int kPoseRounds = 8;
-constexpr double kMaxNoiseFactor = 100.0;  ///< for faces that were measured worse than the training's
-
-Similarity align_weighted(const PointsRef& from, const PointsRef& to, const Vector& weights) {
-    if (weights.size() == 0) return align_points(from, to, weights, false);
-    // Rows of weight zero may hold anything, which a product with zero would not silence.
-    Points seen = from;
-    for (Index i = 0; i < weights.size(); ++i)
-        if (weights[i] == 0.0) seen.row(i) = to.row(i);
-    return align_points(seen, to, weights, false);
-}
-
-Similarity align_stable(const ExpressionModel& model, const PointsRef& vertices) {
-    const Index count = static_cast<Index>(model.stable_vertices.size());
-    Points from(count, 3), to(count, 3);
-    for (Index k = 0; k < count; ++k) {
-        from.row(k) = vertices.row(model.stable_vertices[static_cast<std::size_t>(k)]);
-        to.row(k) = model.mean.row(model.stable_vertices[static_cast<std::size_t>(k)]);
-    }
-    return align_points(from, to, Vector(), false);
-}
-
-bool is_far(const Similarity& motion, const PointsRef& mean) {
-    const double cosine = std::min(1.0, std::max(-1.0, 0.5 * (motion.rotation.trace() - 1.0)));
-    const Vector3 centre = mean.colwise().mean();
-    return std::acos(cosine) > 3.0 * 3.14159265358979 / 180.0 ||
-           (motion.apply(centre) - centre).norm() > 8.0;
-}
-
-bool identity_motion(const Similarity& motion) {
-    return motion.rotation == Matrix3::Identity() && motion.translation == Vector3::Zero();
-}
-
-/// A face placed in the training's frame, taken apart.
-struct PlacedFit {
-    Similarity to_model;
-    FitResult fit;
-    double residual_rms_mm = 0;  ///< distance of the face from the fitted model per vertex
-    double noise_mm2 = 0;        ///< of the fit; 0 for fits without a prior
-};
-
-/// || v - mean - B c || per vertex from the small matrices alone.
-double residual_of(const ExpressionModel& model, FitMethod method, const FitResult& fit,
-                   const Matrix& gram, const Vector& projection, double energy, double total) {
-    const Vector coordinates = mode_coordinates(model, method, fit.identity, fit.expression);
-    const double rest = energy + coordinates.dot(gram * coordinates - 2.0 * projection);
-    return total > 0.0 ? std::sqrt(std::max(0.0, rest) / total) : 0.0;
-}
-
-PlacedFit fit_placed(const Context& context, const ExpressionModel& model, const PointsRef& vertices,
-                     const Vector& weights, const FitOptions& options, const Similarity& to_model) {
-    PlacedFit placed;
-    placed.to_model = to_model;
-    const Points moved = identity_motion(to_model) ? Points(vertices) : to_model.apply(vertices);
-    const FaceEvidence evidence = gather_evidence(context, model, moved, weights);
-    placed.fit = fit_face(model, evidence, options);
-
-    double energy = 0.0, total = 0.0;
-    for (Index i = 0; i < model.num_vertices(); ++i) {
-        const double weight = weights.size() != 0 ? weights[i] : 1.0;
-        if (weight == 0.0) continue;
-        energy += weight * (moved.row(i) - model.mean.row(i)).squaredNorm();
-        total += weight;
-    }
-    const Matrix& gram = evidence.gram.size() != 0 ? evidence.gram : model.gram;
-    placed.residual_rms_mm = residual_of(model, options.method, placed.fit, gram, evidence.projection,
-                                         energy, total);
-    if (options.method != FitMethod::mixture && options.method != FitMethod::map) return placed;
-
-    placed.noise_mm2 = options.noise_mm2 > 0.0 ? options.noise_mm2
-                       : options.method == FitMethod::mixture ? model.mixture_noise_mm2
-                                                              : model.map_noise_mm2;
-    const double excess = model.expected_residual_mm > 0.0
-                              ? placed.residual_rms_mm / model.expected_residual_mm
-                              : 0.0;
-    if (options.noise_mm2 > 0.0 || excess <= 1.0) return placed;
-    // A face that was measured worse than the training faces: trust it less, or its errors become an
-    // expression. The modes absorb the larger part of a smooth error, so that the noise has to grow
-    // faster than the square of the part that is left to see.
-    FitOptions careful = options;
-    careful.noise_mm2 = placed.noise_mm2 * std::min(kMaxNoiseFactor, excess * excess * excess * excess);
-    placed.fit = fit_face(model, evidence, careful);
-    placed.noise_mm2 = careful.noise_mm2;
-    placed.residual_rms_mm = residual_of(model, options.method, placed.fit, gram, evidence.projection,
-                                         energy, total);
-    return placed;
-}
-
-/// Fit and pose in turns: the pose is that of what the model made of the face, so that an open mouth
-/// turns no head.
-PlacedFit fit_rigid(const Context& context, const ExpressionModel& model, const PointsRef& vertices,
-                    const Vector& weights, const FitOptions& options, const Similarity& start) {
-    PlacedFit placed = fit_placed(context, model, vertices, weights, options, start);
-    for (int round = 0; round < kPoseRounds; ++round) {
-        const Points made =
-            synthesize_face(context, model, placed.fit.identity, placed.fit.expression, options.method);
-        const Similarity next = align_weighted(vertices, made, weights);
-        const double turned = (next.rotation - placed.to_model.rotation).norm() * 100.0 +
-                              (next.translation - placed.to_model.translation).norm();
-        placed = fit_placed(context, model, vertices, weights, options, next);
-        if (turned < 1e-3) break;
-    }
-    return placed;
-}
-
-PlacedFit place_and_fit(const Context& context, const ExpressionModel& model,
-                        const PointsRef& vertices, const Vector& weights,
-                        const NeutralizeOptions& options) {
-    if (options.pose == Pose::keep)
-        return fit_placed(context, model, vertices, weights, options.fit, Similarity());
-    if (options.pose == Pose::automatic && !model.stable_vertices.empty())
-        return fit_placed(context, model, vertices, weights, options.fit,
-                          align_stable(model, vertices));
-    const Similarity start = align_weighted(vertices, model.mean, weights);
-    if (options.pose == Pose::rigid)
-        return fit_rigid(context, model, vertices, weights, options.fit, start);
-    PlacedFit kept = fit_placed(context, model, vertices, weights, options.fit, Similarity());
-    if (!is_far(start, model.mean)) return kept;
-    // A wide open mouth may look like a turned head at first; what the model cannot explain decides.
-    PlacedFit moved = fit_rigid(context, model, vertices, weights, options.fit, start);
-    return moved.residual_rms_mm < 0.6 * kept.residual_rms_mm ? moved : kept;
-}
-
-}  // namespace
-
 NeutralizationResult neutralize(const Context& context, const ExpressionModel& model,
                                 const PointsRef& vertices, const Vector& weights,
                                 const NeutralizeOptions& options) {
     context.progress(Stage::neutralizing, 0.0);
     const Index n = model.num_vertices();
     check_face(model, vertices, weights);
-    PlacedFit placed = place_and_fit(context, model, vertices, weights, options);
+    PlacedFit placed = place_and_fit(context, model, vertices, weights, options.fit, options.pose);
     FitResult& fit = placed.fit;
     const Similarity& to_model = placed.to_model;
 
     NeutralizationResult result;
     Vector moved = -expression_displacement(context, model, fit.expression, options.fit.method);
     Eigen::Map<Points> displacement(moved.data(), n, 3);
-    if (!identity_motion(to_model)) displacement = (displacement * to_model.rotation).eval();  // rows: R' d
+    if (to_model.rotation != Matrix3::Identity())
+        displacement = (displacement * to_model.rotation).eval();  // rows: R' d
     result.pose = to_model.inverse();
     result.neutral_vertices = vertices + displacement;
     if (weights.size() != 0) {
@@ -246,6 +120,7 @@ NeutralizationResult neutralize(const Context& context, const ExpressionModel& m
 
     result.residual_rms_mm = placed.residual_rms_mm;
     result.noise_mm2 = placed.noise_mm2;
+    result.doubted_share = placed.doubted_share;
     result.identity = std::move(fit.identity);
     result.expression = std::move(fit.expression);
     result.component_probabilities = std::move(fit.component_probabilities);

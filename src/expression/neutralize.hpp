@@ -8,17 +8,9 @@
 #include "base/context.hpp"
 #include "expression/expression_model.hpp"
 #include "expression/fit.hpp"
+#include "expression/placed_fit.hpp"
 
 namespace mien {
-
-/// Where a face lies against the training faces. The numbers are the C ABI's numbers.
-enum class Pose : std::int32_t {
-    automatic = 0,  ///< aligned on the model's stable zone where it has one; else like `rigid` when the
-                    ///< face lies more than 3 degrees or 8 mm away from the mean face and a rigid motion
-                    ///< explains it clearly better, else like `keep`
-    keep = 1,       ///< in the training's frame
-    rigid = 2,      ///< anywhere: a rigid motion is fitted together with identity and expression
-};
 
 struct NeutralizeOptions {
     FitOptions fit;
@@ -37,7 +29,8 @@ struct NeutralizationResult {
     Similarity pose;                  ///< training frame -> frame of the face
     double residual_rms_mm = 0;       ///< distance of the face from the fitted model per vertex
     double noise_mm2 = 0;             ///< noise variance that was used; above the model's for faces that were
-                                      ///< measured worse than the training faces; 0 without a prior
+                                      ///< measured worse than the training faces all over; 0 without a prior
+    double doubted_share = 0;         ///< of the weights: taken away from vertices that nothing explains
     int sweeps = 0;
     bool converged = true;
 };

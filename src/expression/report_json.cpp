@@ -192,6 +192,7 @@ std::string neutralization_json(const ExpressionModel& model, const Neutralizati
         .number("residual_rms_mm", result.residual_rms_mm)
         .number("expected_residual_mm", model.expected_residual_mm)
         .number("noise_mm2", result.noise_mm2)
+        .number("doubted_share", result.doubted_share)
         .integer("sweeps", result.sweeps)
         .boolean("converged", result.converged);
     std::vector<std::string> warnings;
