@@ -210,8 +210,7 @@ mien_status MIEN_CALL mien_measure_align(mien_session* session, const mien_mesh*
         const Call call(session);
         const Zone zone = stable != nullptr ? checked_zone(stable, source) : Zone();
         check_faces_in_correspondence(fixed.vertices, source.vertices, fixed.triangles);
-        const RigidZoneResult result =
-            align_on_zone(source.vertices, fixed.vertices, fixed.triangles, zone.vertices, RigidZoneOptions());
+        const RigidZoneResult result = align_fits_on_zone(source.vertices, fixed, zone.vertices, call.context());
         TriMesh moved = source;
         moved.vertices = result.motion.apply(PointsRef(source.vertices));
         auto made = std::make_unique<mien_mesh>(std::make_shared<const TriMesh>(std::move(moved)));

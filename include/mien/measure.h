@@ -249,7 +249,8 @@ typedef struct mien_zone_alignment {
 } mien_zone_alignment;
 
 /**
- * Moves one face rigidly onto another by a zone that has not changed (forehead, nose bridge), robustly.
+ * Moves one face rigidly onto another by a zone that has not changed (forehead, nose bridge), robustly: by
+ * correspondence first, then by closest points, because a fit slides along a scan more than it lifts off.
  * The deviations feed alignment_rotation_sd_rad, alignment_translation_sd_mm and alignment_centre.
  *
  * @param session [in] not null.
@@ -264,7 +265,7 @@ typedef struct mien_zone_alignment {
  * @owner  the caller releases *out with mien_mesh_release()
  * @thread externally synchronized by session
  * @cancel no
- * @cost   O(#V + #F)
+ * @cost   O(#V log #F)
  * @since  0.1
  */
 MIEN_API mien_status MIEN_CALL mien_measure_align(mien_session *session, const mien_mesh *moving,

@@ -176,4 +176,16 @@ RigidZoneResult align_scans_on_zone(const TriMesh& source, const TriMesh& target
     return result;
 }
 
+RigidZoneResult align_fits_on_zone(const PointsRef& source, const TriMesh& target,
+                                   const std::vector<std::uint32_t>& zone, const Context& context) {
+    const RigidZoneResult paired =
+        align_on_zone(source, target.vertices, target.triangles, zone, RigidZoneOptions());
+    TriMesh moving;
+    moving.vertices = source;
+    moving.triangles = target.triangles;
+    ScanAlignmentOptions options;
+    options.max_distance_mm = 5;
+    return align_scans_on_zone(moving, target, zone, paired.motion, options, context);
+}
+
 }  // namespace mien

@@ -8,6 +8,7 @@
 #include "geometry/rigid_zone.hpp"
 #include "measure/random.hpp"
 #include "measure/scan_volume.hpp"
+#include "spatial/triangle_tree.hpp"
 #include "shapes.hpp"
 
 namespace mien {
@@ -167,6 +168,29 @@ TEST(RigidZone, RefusesZonesThatFixNothing) {
     line.col(0) = mesh.vertices.col(0);
     EXPECT_EQ(test::status_of([&] { align_on_zone(line, line, mesh.triangles, {}, {}); }),
               Status::no_solution);
+}
+
+TEST(FitAlignment, ASlideOfTheFitOverTheZoneDoesNotTiltTheFace) {
+    TriMesh mesh = ellipsoid(5);
+    for (Index v = 0; v < mesh.vertices.rows(); ++v)  // a nose
+        if (mesh.vertices(v, 2) > 0)
+            mesh.vertices(v, 2) += 25 * std::exp(-mesh.vertices.row(v).head<2>().squaredNorm() / 400);
+    std::vector<std::uint32_t> zone;
+    Points slid = mesh.vertices;
+    const TriangleTree tree(mesh.vertices, mesh.triangles, Context());
+    for (Index v = 0; v < slid.rows(); ++v) {
+        const Vector3 p = mesh.vertices.row(v).transpose();
+        if (p[2] > 40) zone.push_back(static_cast<std::uint32_t>(v));
+        // Up to 4 mm along the surface, another way on each side: the surface itself stays.
+        const Vector3 slide(0, p[0] > 0 ? 4 : -1, 0);
+        slid.row(v) = tree.closest(p + slide).point.transpose();
+    }
+    const Similarity motion = known_motion();
+    const Points source = motion.inverse().apply(PointsRef(slid));
+    const Similarity by_pairs = align_on_zone(source, mesh.vertices, mesh.triangles, zone, {}).motion;
+    const Similarity by_surface = align_fits_on_zone(source, mesh, zone, Context()).motion;
+    EXPECT_GT(largest_difference(by_pairs, motion, source), 0.5);
+    EXPECT_LT(largest_difference(by_surface, motion, source), 0.1 * largest_difference(by_pairs, motion, source));
 }
 
 TEST(ScanVolume, AlongADirectionIsTheHeightFieldIntegral) {
