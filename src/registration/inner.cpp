@@ -1,5 +1,6 @@
 #include "registration/inner.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 

@@ -31,6 +31,21 @@ void add_pins(const DeformationModel& model, const std::vector<Pin>& pins, const
                             to_model.apply(pin.place) - rest_place(model, pin.vertex));
 }
 
+// Where a surface bends, a normal that differs from the one seen tells of a slide: with S the scan's shape
+// operator and p the shift along the surface, |(n_t - n_s) - S p|^2 is one more term of the energy. A large turn
+// comes from another shape and not from a slide, and the sharpest bends are noise, lids and lips: both lose
+// their say.
+void add_turn(const ScanSurface& scan, const SurfaceHit& hit, const Vector3& seen, const Vector3& place_normal,
+              const Similarity& to_model, double weight, const Vector3& target, Index row, FitTerms& terms) {
+    constexpr double kTurn = 0.3, kBend = 0.1;  // radians, 1/mm
+    Vector3 turn = place_normal - seen;
+    turn -= seen * seen.dot(turn);
+    const Matrix3 bend = to_model.rotation * scan.bending_at(hit) * to_model.rotation.transpose();
+    const Matrix3 squared = bend * bend;
+    weight *= std::exp(-0.5 * turn.squaredNorm() / (kTurn * kTurn)) / (1 + squared.trace() / (kBend * kBend));
+    terms.add(row, weight * squared, weight * (squared * target + bend * (to_model.rotation * turn)));
+}
+
 // About one vertex in `stride`, spread by a hash of the index, and every pinned vertex; ascending.
 std::vector<Index> choose_rows(Index num_vertices, Index stride, const std::vector<Pin>& pins) {
     std::vector<std::uint8_t> take(static_cast<std::size_t>(num_vertices), 0);
@@ -159,6 +174,10 @@ void fit_surface(const DeformationModel& model, const ScanSurface& scan, const V
             const Vector3 normal = to_model.rotation * state.matches.normals.row(row).transpose();
             terms.add_planar(row, weight * precision, options.tangential, normal,
                              to_model.apply(hit.point) - rest_place(model, solver.vertex(row)));
+            if (options.normal_length_mm > 0)
+                add_turn(scan, hit, state.matches.normals.row(row).transpose(), place_normals.row(row).transpose(), to_model,
+                         weight * precision * options.normal_length_mm * options.normal_length_mm,
+                         to_model.apply(hit.point) - rest_place(model, solver.vertex(row)), row, terms);
             energy += weight * hit.squared_distance;
         }
         add_pins(model, pins, to_model, row_of, terms);

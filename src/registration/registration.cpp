@@ -30,6 +30,8 @@ void check_options(const RegistrationOptions& o, const TriMesh& scan) {
     positive(o.robust_factor, "robust_factor");
     positive(o.pca_amplitude, "pca_amplitude");
     positive(o.correspondence.max_angle_deg, "max_angle_deg");
+    if (!(o.normal_length_mm >= 0) || !std::isfinite(o.normal_length_mm))
+        fail(Status::invalid_argument, "registration: normal_length_mm is %g, it must not be negative", o.normal_length_mm);
     if (!(o.data_weight >= 0) || !(o.kernel_amplitude >= 0))
         fail(Status::invalid_argument, "registration: data_weight and kernel_amplitude must not be negative");
     if (!(o.tangential >= 0 && o.tangential <= 1))
@@ -229,7 +231,7 @@ RegistrationResult register_scan(const DeformationModel& model, const TriMesh& r
                                                : model.pca_modes.cols;
     Index r = options.max_scalar_modes >= 0 ? std::min(options.max_scalar_modes, model.basis.cols) : model.basis.cols;
     if (options.estimate_scale < 0) options.estimate_scale = p > 0 ? 0 : 1;
-    if (!(options.data_weight > 0)) options.data_weight = p > 0 ? 1 : 0.1;
+    if (!(options.data_weight > 0)) options.data_weight = p > 0 ? 0.5 : 0.03;
     state.kernel_amplitude = options.kernel_amplitude > 0 ? options.kernel_amplitude : 1;
     if (p > 0 && r > 0) {
         r = std::min(r, options.max_residual_modes);
@@ -257,18 +259,25 @@ RegistrationResult register_scan(const DeformationModel& model, const TriMesh& r
     } else {
         SearchResult found = search_pose(model, scan, context);
         if (found.score < kGoodSearch) {  // perhaps its triangles face inwards
-            scan.normals = -scan.normals;
+            scan.turn_over();
             const SearchResult turned = search_pose(model, scan, context);
             if (turned.score > found.score + 0.05)
                 found = turned;
             else
-                scan.normals = -scan.normals;
+                scan.turn_over();
         }
         result.verdict.search_score = found.score;
         state.motion = found.motion;
     }
     result.start = state.motion;
     if (!pins.empty()) {
+        if (p == 0 && r > 0 && !(options.kernel_amplitude > 0)) {
+            const PinEvidence likeliest = likeliest_amplitude(model, pins, state.motion);
+            state.kernel_amplitude = likeliest.amplitude;
+            for (Pin& pin : pins) pin.sigma_mm *= likeliest.noise;
+            context.log(LogLevel::debug, "kernel amplitude %.3f, picking error times %.2f", likeliest.amplitude,
+                        likeliest.noise);
+        }
         std::vector<std::size_t> rejected =
             contradicting_pins(model, pins, state.motion, state.kernel_amplitude, options.pca_amplitude);
         std::sort(rejected.rbegin(), rejected.rend());
@@ -284,7 +293,7 @@ RegistrationResult register_scan(const DeformationModel& model, const TriMesh& r
     if (start != StartKind::search) {
         const Points rest = model.template_mesh.vertices;
         const Points shaped = state.places.rows() == n ? state.places : Points(state.motion.apply(PointsRef(rest)));
-        if (opposed_share(model, scan, shaped, context) > 0.6) scan.normals = -scan.normals;
+        if (opposed_share(model, scan, shaped, context) > 0.6) scan.turn_over();
     }
     context.progress(Stage::alignment, 1);
 

@@ -42,7 +42,7 @@ struct RegistrationOptions {
     ModeGrowth growth = ModeGrowth::constant;
     Index max_scalar_modes = -1;     ///< -1: all of the model's (three deformation modes each)
     Index max_pca_modes = -1;        ///< -1: all of the model's
-    double kernel_amplitude = 0;     ///< factor on the kernel's standard deviation; 0: chosen by itself
+    double kernel_amplitude = 0;     ///< factor on the kernel's standard deviation; 0: the landmarks' likeliest
     double pca_amplitude = 1;
     // Data
     double landmark_sigma_mm = 2;    ///< picking error per axis
@@ -50,8 +50,9 @@ struct RegistrationOptions {
     double sigma_end_mm = 0.5;       ///< ... and last
     double robust_factor = 2;        ///< robust scale in noise levels
     double tangential = 0.5;         ///< weight of sliding along the surface against leaving it; 1: point to point
-    double data_weight = 0;          ///< independent hits per vertex (neighbours' errors are alike); 0: 1 for
-                                     ///< models with trained modes, 0.1 for others
+    double normal_length_mm = 5;     ///< how far a turn of the normal by one radian counts as a shift; 0: not
+    double data_weight = 0;          ///< independent hits per vertex (neighbours' errors are alike); 0: 0.5 for
+                                     ///< models with trained modes, 0.03 for others
     CorrespondenceOptions correspondence;
     // Loop
     int iterations = 12;

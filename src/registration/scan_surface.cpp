@@ -102,7 +102,75 @@ Points cloud_normals(const Points& points, double radius, const Context& context
     return normals;
 }
 
+// One round of averaging a field with one row per vertex over the triangles around it.
+template <typename Rows>
+void average_over_triangles(const Triangles& triangles, const std::vector<float>& share, Rows& field) {
+    Rows sum = Rows::Zero(field.rows(), field.cols());
+    for (Index t = 0; t < triangles.rows(); ++t) {
+        const auto mean = (field.row(triangles(t, 0)) + field.row(triangles(t, 1)) + field.row(triangles(t, 2))).eval();
+        for (int k = 0; k < 3; ++k) sum.row(triangles(t, k)) += mean;
+    }
+    for (Index i = 0; i < field.rows(); ++i)
+        if (share[static_cast<std::size_t>(i)] > 0) field.row(i) = sum.row(i) * (share[static_cast<std::size_t>(i)] / 3);
+}
+
+// S from the gradient of the vertex normals over each triangle: n(x) is linear there, S = grad n in the
+// plane of the triangle, made symmetric; area-weighted means go to the vertices.
+void find_bending(ScanSurface& scan, double smoothing_mm) {
+    using Packed = Eigen::Matrix<float, Eigen::Dynamic, 6, Eigen::RowMajor>;
+    const Index n = scan.vertices.rows(), count = scan.triangles.rows();
+    Packed field = Packed::Zero(n, 6);
+    std::vector<float> area(static_cast<std::size_t>(n), 0.0f), uses(static_cast<std::size_t>(n), 0.0f);
+    for (Index t = 0; t < count; ++t) {
+        Vector3 x[3], m[3];
+        for (int k = 0; k < 3; ++k) {
+            x[k] = scan.vertices.row(scan.triangles(t, k)).transpose();
+            m[k] = scan.normals.row(scan.triangles(t, k)).transpose();
+            uses[scan.triangles(t, k)] += 1;
+        }
+        const Vector3 cross = (x[1] - x[0]).cross(x[2] - x[0]);
+        const double twice = cross.norm();
+        if (!(twice > 1e-9)) continue;
+        const Vector3 normal = cross / twice;
+        Matrix3 gradient = Matrix3::Zero();  // sum of n_k (grad of the hat function k)'
+        for (int k = 0; k < 3; ++k) gradient += m[k] * normal.cross(x[(k + 2) % 3] - x[(k + 1) % 3]).transpose();
+        gradient /= twice;
+        const Matrix3 flat = Matrix3::Identity() - normal * normal.transpose();
+        gradient = flat * gradient;
+        const Matrix3 s = 0.5 * (gradient + gradient.transpose());
+        const Eigen::Matrix<float, 1, 6> packed =
+            (Eigen::Matrix<double, 1, 6>() << s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(0, 2), s(1, 2)).finished().cast<float>();
+        for (int k = 0; k < 3; ++k) {
+            field.row(scan.triangles(t, k)) += static_cast<float>(twice) * packed;
+            area[scan.triangles(t, k)] += static_cast<float>(twice);
+        }
+    }
+    for (Index i = 0; i < n; ++i) {
+        if (area[static_cast<std::size_t>(i)] > 0) field.row(i) /= area[static_cast<std::size_t>(i)];
+        uses[static_cast<std::size_t>(i)] = uses[static_cast<std::size_t>(i)] > 0 ? 1 / uses[static_cast<std::size_t>(i)] : 0;
+    }
+    const double ratio = smoothing_mm / std::max(1e-9, scan.spacing_mm);
+    const int rounds = static_cast<int>(std::min(24.0, std::ceil(ratio * ratio)));
+    for (int round = 0; round < rounds; ++round) average_over_triangles(scan.triangles, uses, field);
+    scan.bending = std::move(field);
+}
+
 }  // namespace
+
+Matrix3 ScanSurface::bending_at(const SurfaceHit& hit) const {
+    Matrix3 s = Matrix3::Zero();
+    if (bending.rows() == 0) return s;
+    Eigen::Matrix<double, 1, 6> packed = Eigen::Matrix<double, 1, 6>::Zero();
+    for (int k = 0; k < 3; ++k)
+        packed += hit.barycentric[k] * bending.row(triangles(static_cast<Index>(hit.triangle), k)).cast<double>();
+    s << packed[0], packed[3], packed[4], packed[3], packed[1], packed[5], packed[4], packed[5], packed[2];
+    return s;
+}
+
+void ScanSurface::turn_over() {
+    normals = -normals;
+    bending = -bending;
+}
 
 Vector3 ScanSurface::normal_at(const SurfaceHit& hit) const {
     if (tree.is_point_cloud()) return normals.row(static_cast<Index>(hit.triangle)).transpose();
@@ -168,6 +236,7 @@ ScanSurface prepare_scan(const TriMesh& mesh, double smoothing_mm, const Context
             }
         }
     }
+    find_bending(scan, smoothing_mm);
     return scan;
 }
 

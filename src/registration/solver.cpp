@@ -241,6 +241,12 @@ void FitTerms::reset(Index num_rows) {
     pull.setZero(num_rows, 3);
 }
 
+void FitTerms::add(Index row, const Matrix3& h, const Vector3& pulled) {
+    const Eigen::Matrix<double, 1, 6> packed{h(0, 0), h(1, 1), h(2, 2), h(0, 1), h(0, 2), h(1, 2)};
+    precision.row(row) += packed.cast<float>();
+    pull.row(row) += pulled.cast<float>().transpose();
+}
+
 void FitTerms::add_isotropic(Index row, double weight, const Vector3& target_displacement) {
     precision.row(row).head<3>().array() += static_cast<float>(weight);
     pull.row(row) += (weight * target_displacement).cast<float>().transpose();

@@ -23,6 +23,7 @@ struct FitTerms {
     Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> pull;       ///< sum of H (q - x - mean)
 
     void reset(Index num_rows);
+    void add(Index row, const Matrix3& precision, const Vector3& pull);
     void add_isotropic(Index row, double weight, const Vector3& target_displacement);
     void add_planar(Index row, double weight, double tau, const Vector3& normal,
                     const Vector3& target_displacement);

@@ -1,7 +1,9 @@
 #include "registration/start.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -24,6 +26,41 @@ double median(std::vector<double> values) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
     return *middle;
+}
+
+// What the prior says of the pinned places, in the model frame: displacement seen, its covariance by the
+// kernel (amplitude 1) and by the trained modes, and the seven small motions.
+struct PinPrior {
+    Vector displacement;            // 3 n
+    Matrix kernel, vectors, moves;  // 3 n x 3 n twice, 3 n x 7
+};
+
+PinPrior pin_prior(const DeformationModel& model, const std::vector<Pin>& pins, const Similarity& motion) {
+    const Index n = static_cast<Index>(pins.size()), r = model.basis.cols, p = model.pca_modes.cols;
+    const Similarity to_model = motion.inverse();
+    PinPrior prior;
+    prior.displacement.resize(3 * n);
+    prior.moves.resize(3 * n, 7);
+    prior.kernel.setZero(3 * n, 3 * n);
+    Matrix modes(n, r), vectors(3 * n, p);
+    for (Index k = 0; k < n; ++k) {
+        const Pin& pin = pins[static_cast<std::size_t>(k)];
+        const Vector3 x = rest(model, pin.vertex);
+        prior.displacement.segment<3>(3 * k) = to_model.apply(pin.place) - x;
+        if (r > 0) modes.row(k) = model.basis.map().row(pin.vertex).cast<double>();
+        if (p > 0) vectors.middleRows(3 * k, 3) = model.pca_modes.map().middleRows(3 * pin.vertex, 3).cast<double>();
+        const Vector3 y = x / 100;
+        prior.moves.middleRows(3 * k, 3) << 0, y[2], -y[1], 1, 0, 0, y[0], -y[2], 0, y[0], 0, 1, 0, y[1], y[1], -y[0], 0, 0, 0, 1, y[2];
+    }
+    for (int axis = 0; axis < 3 && r > 0; ++axis) {
+        Vector variance = Vector::Ones(r);
+        if (model.prior_variance.rows() >= r) variance = model.prior_variance.col(axis).head(r);
+        const Matrix kernel = modes * variance.asDiagonal() * modes.transpose();
+        for (Index i = 0; i < n; ++i)
+            for (Index j = 0; j < n; ++j) prior.kernel(3 * i + axis, 3 * j + axis) = kernel(i, j);
+    }
+    prior.vectors = vectors * vectors.transpose();
+    return prior;
 }
 
 }  // namespace
@@ -84,32 +121,12 @@ std::vector<std::size_t> contradicting_pins(const DeformationModel& model, const
     std::vector<std::size_t> rejected, kept(pins.size());
     std::iota(kept.begin(), kept.end(), std::size_t{0});
     if (pins.size() < 5 || pins.size() > 300) return rejected;
-    const Index n = static_cast<Index>(pins.size()), r = model.basis.cols, p = model.pca_modes.cols;
-    const Similarity to_model = motion.inverse();
-    Matrix covariance = Matrix::Zero(3 * n, 3 * n);
-    Matrix modes(n, r), vectors(3 * n, p), moves(3 * n, 7);
-    Vector displacement(3 * n);
-    for (Index k = 0; k < n; ++k) {
-        const Pin& pin = pins[static_cast<std::size_t>(k)];
-        const Vector3 x = rest(model, pin.vertex);
-        displacement.segment<3>(3 * k) = to_model.apply(pin.place) - x;
-        if (r > 0) modes.row(k) = model.basis.map().row(pin.vertex).cast<double>();
-        if (p > 0) vectors.middleRows(3 * k, 3) = model.pca_modes.map().middleRows(3 * pin.vertex, 3).cast<double>();
-        const Vector3 y = x / 100;
-        moves.middleRows(3 * k, 3) << 0, y[2], -y[1], 1, 0, 0, y[0], -y[2], 0, y[0], 0, 1, 0, y[1], y[1], -y[0], 0, 0, 0, 1, y[2];
-    }
-    for (int axis = 0; axis < 3 && r > 0; ++axis) {
-        Vector variance = Vector::Ones(r);
-        if (model.prior_variance.rows() >= r) variance = model.prior_variance.col(axis).head(r);
-        const Matrix kernel = kernel_amplitude * kernel_amplitude * modes * variance.asDiagonal() * modes.transpose();
-        for (Index i = 0; i < n; ++i)
-            for (Index j = 0; j < n; ++j) covariance(3 * i + axis, 3 * j + axis) += kernel(i, j);
-    }
-    covariance += pca_amplitude * pca_amplitude * vectors * vectors.transpose() + 1e3 * moves * moves.transpose();
-    for (Index k = 0; k < n; ++k) {
-        const double sigma = pins[static_cast<std::size_t>(k)].sigma_mm;
-        covariance.diagonal().segment<3>(3 * k).array() += sigma * sigma;
-    }
+    const PinPrior prior = pin_prior(model, pins, motion);
+    const Vector& displacement = prior.displacement;
+    Matrix covariance = kernel_amplitude * kernel_amplitude * prior.kernel + pca_amplitude * pca_amplitude * prior.vectors +
+                        1e3 * prior.moves * prior.moves.transpose();
+    for (std::size_t k = 0; k < pins.size(); ++k)
+        covariance.diagonal().segment<3>(3 * static_cast<Index>(k)).array() += pins[k].sigma_mm * pins[k].sigma_mm;
     constexpr double kLimit = 40;  // chi-squared with 3 degrees, with room for an imperfect prior
     const std::size_t most = std::max<std::size_t>(1, pins.size() / 10);
     while (kept.size() > 4) {
@@ -143,6 +160,35 @@ std::vector<std::size_t> contradicting_pins(const DeformationModel& model, const
         kept.erase(kept.begin() + worst);
     }
     return rejected;
+}
+
+PinEvidence likeliest_amplitude(const DeformationModel& model, const std::vector<Pin>& pins, const Similarity& motion) {
+    PinEvidence best;
+    if (pins.size() < 10 || pins.size() > 300) return best;
+    const PinPrior prior = pin_prior(model, pins, motion);
+    const Index n = prior.displacement.size();
+    // Motions carry no evidence: everything is seen orthogonal to them.
+    const Matrix whole = Eigen::HouseholderQR<Matrix>(prior.moves).householderQ() * Matrix::Identity(n, n);
+    const Matrix others = whole.rightCols(n - prior.moves.cols());
+    const Eigen::SelfAdjointEigenSolver<Matrix> eigen(others.transpose() * prior.kernel * others);
+    if (eigen.info() != Eigen::Success) return best;
+    const Vector seen = eigen.eigenvectors().transpose() * (others.transpose() * prior.displacement);
+    double sigma2 = 0;
+    for (const Pin& pin : pins) sigma2 += pin.sigma_mm * pin.sigma_mm;
+    sigma2 /= static_cast<double>(pins.size());
+    double best_cost = 1e300;
+    for (int s = -8; s <= 2; ++s)
+        for (int k = -24; k <= 24; ++k) {
+            const double amplitude = std::pow(2.0, k / 8.0), noise = std::pow(2.0, s / 4.0);
+            double cost = 0.5 * s * s;  // the picking error was given: half or double of it surprises
+            for (Index j = 0; j < seen.size(); ++j) {
+                const double variance =
+                    amplitude * amplitude * std::max(0.0, eigen.eigenvalues()[j]) + noise * noise * sigma2;
+                cost += std::log(variance) + seen[j] * seen[j] / variance;
+            }
+            if (cost < best_cost) best_cost = cost, best = {amplitude, noise};
+        }
+    return best;
 }
 
 double detect_unit_mm(const PointsRef& vertices) {
