@@ -23,7 +23,7 @@ struct ReportSettings {
     std::string visits, model, expressions, zones, stable = "forehead,nose", out, title = "Volume over time";
     std::vector<std::string> shown;
     bool fitted = false;
-    double sd = 0.2, correlation = 10, bias = 0.0;
+    double sd = 0.08, correlation = 10, bias = 0.03;
 };
 
 struct Capture {
@@ -78,21 +78,41 @@ std::vector<Visit> find_visits(const std::string& folder) {
 
 struct Fitted {
     Mesh mesh;
-    std::vector<double> sd;  ///< per vertex, mm
+    std::vector<double> sd;      ///< along the normal, per vertex, mm
+    std::vector<double> shared;  ///< what the removed expression leaves open: alike over a whole zone, mm
     std::string verdict;
     bool good = true;
     nlohmann::json report;
 };
 
+/// How far a fit may lie off the skin along the normal: where the scan is, the residual over the scanner's noise;
+/// where it is not, what the model leaves open.
+std::vector<double> normal_deviation(const Registration& fit, double noise_mm) {
+    std::vector<double> sd = fit.field(MIEN_REGISTRATION_STANDARD_DEVIATION_MM);
+    const std::vector<double> weight = fit.field(MIEN_REGISTRATION_WEIGHT);
+    const std::vector<double> residual = fit.field(MIEN_REGISTRATION_RESIDUAL_MM);
+    for (std::size_t v = 0; v < sd.size(); ++v)
+        sd[v] = weight[v] * std::min(std::hypot(noise_mm, residual[v]), sd[v]) + (1 - weight[v]) * sd[v];
+    return sd;
+}
+
+/// Face: a Registration or a Mesh.
+template <typename Face>
+void neutralize(const Session& session, const ExpressionModel& expressions, const Face& face, Fitted& fitted) {
+    NeutralizeOptions options;
+    options.uncertainty = 1;
+    const Neutralization neutral(session, expressions, face, options);
+    fitted.mesh = neutral.mesh();
+    fitted.shared = neutral.uncertainty();
+    fitted.verdict += ", neutralized";
+}
+
 Fitted fit_capture(const Session& session, const ReportSettings& settings, const Model* model,
                    const ExpressionModel* expressions, const Capture& capture) {
     if (settings.fitted) {
         Mesh mesh(session, capture.mesh);
-        Fitted fitted{mesh, std::vector<double>(mesh.vertex_count(), settings.sd), "fitted beforehand", true, {}};
-        if (expressions != nullptr) {
-            fitted.mesh = Neutralization(session, *expressions, mesh).mesh();
-            fitted.verdict += ", neutralized";
-        }
+        Fitted fitted{mesh, std::vector<double>(mesh.vertex_count(), settings.sd), {}, "fitted beforehand", true, {}};
+        if (expressions != nullptr) neutralize(session, *expressions, mesh, fitted);
         return fitted;
     }
     RegisterOptions options;
@@ -101,17 +121,14 @@ Fitted fit_capture(const Session& session, const ReportSettings& settings, const
     options.progress = progress_bar();
     const Registration fit(session, *model, Mesh(session, capture.mesh), options);
     const mien_fit_verdict verdict = fit.verdict();
-    Fitted fitted{fit.mesh(), fit.field(MIEN_REGISTRATION_STANDARD_DEVIATION_MM), "", verdict.quality == MIEN_QUALITY_GOOD,
+    Fitted fitted{fit.mesh(), normal_deviation(fit, settings.sd), {}, "", verdict.quality == MIEN_QUALITY_GOOD,
                   nlohmann::json::parse(fit.json())};
     char text[160];
     std::snprintf(text, sizeof text, "fit %s: %.2f mm from the scan, %.0f %% of the face seen",
                   verdict.quality == MIEN_QUALITY_GOOD ? "good" : verdict.quality == MIEN_QUALITY_DOUBTFUL ? "doubtful" : "failed",
                   verdict.mean_residual_mm, 100 * verdict.coverage);
     fitted.verdict = text;
-    if (expressions != nullptr) {
-        fitted.mesh = Neutralization(session, *expressions, fit).mesh();
-        fitted.verdict += ", neutralized";
-    }
+    if (expressions != nullptr) neutralize(session, *expressions, fit, fitted);
     return fitted;
 }
 
@@ -148,26 +165,39 @@ Image draw_difference(const MeshArrays& face, const std::vector<double>& signed_
 }
 
 struct Pair {
-    Measurement volume, distance;
+    std::vector<mien_zone_volume> volumes;  ///< one per zone
+    Measurement distance;
     mien_zone_alignment alignment;
     Mesh aligned;
 };
+
+double mean_over(const std::vector<std::uint32_t>& zone, const std::vector<double>& values) {
+    if (values.empty() || zone.empty()) return 0;
+    double sum = 0;
+    for (const std::uint32_t v : zone) sum += values.at(v);
+    return sum / static_cast<double>(zone.size());
+}
 
 Pair compare(const Session& session, const ReportSettings& settings, const Fitted& first, const Fitted& second,
              const std::vector<MeasureZone>& zones, const std::vector<std::uint32_t>& stable) {
     mien_zone_alignment info{};
     Mesh aligned = align_on_zone(session, second.mesh, first.mesh, stable, &info);
     MeasureOptions options;
-    options.zones = zones;
     options.before_sd_mm = first.sd;
     options.after_sd_mm = second.sd;
     options.correlation_length_mm = settings.correlation;
-    options.common_bias_mm = settings.bias;
     options.alignment_rotation_sd_rad = info.rotation_sd_rad;
     options.alignment_translation_sd_mm = info.translation_sd_mm;
     options.alignment_centre = {{info.centre[0], info.centre[1], info.centre[2]}};
-    return {Measurement::volume(session, first.mesh, aligned, options),
-            Measurement::distance(session, first.mesh, aligned, options), info, aligned};
+    std::vector<mien_zone_volume> volumes;
+    for (const MeasureZone& zone : zones) {  // one by one: each has its own share of the neutralizations' errors
+        options.zones = {zone};
+        options.common_bias_mm = std::hypot(settings.bias, std::hypot(mean_over(zone.vertices, first.shared),
+                                                                      mean_over(zone.vertices, second.shared)));
+        volumes.push_back(Measurement::volume(session, first.mesh, aligned, options).zone_volume(0));
+    }
+    options.zones.clear();
+    return {volumes, Measurement::distance(session, first.mesh, aligned, options), info, aligned};
 }
 
 void run_report(const ReportSettings& settings) {
@@ -208,7 +238,7 @@ void run_report(const ReportSettings& settings) {
             for (std::size_t b = a + 1; b < captures.size(); ++b) {
                 const Pair pair = compare(session, settings, captures[a], captures[b], zones, stable);
                 for (std::size_t z = 0; z < zones.size(); ++z)
-                    blanks[z].push_back(pair.volume.zone_volume(static_cast<std::int32_t>(z)).signed_ml);
+                    blanks[z].push_back(pair.volumes[z].signed_ml);
             }
 
     ReportPage page;
@@ -223,16 +253,12 @@ void run_report(const ReportSettings& settings) {
     range = std::min(range, 10.0);
     for (std::size_t z = 0; z < zones.size(); ++z) {
         page.zones.push_back(zones[z].name);
-        double limit = 0;
-        if (blanks[z].size() >= 2) {
-            const auto r = nlohmann::json::parse(repeatability(session, {}, {}, blanks[z]));
-            limit = r["limit_of_detection"].get<double>();
-        } else {
-            for (const Pair& pair : pairs)  // blank's bound and detection, 1.645 deviations each
-                limit = std::max(limit, 2 * 1.6448536269514722 * pair.volume.zone_volume(static_cast<std::int32_t>(z)).sd_ml);
-        }
-        page.limits_ml.push_back(limit);
     }
+    // Blank's bound and detection, 1.645 deviations each, where repeated captures do not tell.
+    auto limit_ml = [&](std::size_t zone, const mien_zone_volume& volume) {
+        if (blanks[zone].size() < 2) return 2 * 1.6448536269514722 * volume.sd_ml;
+        return nlohmann::json::parse(repeatability(session, {}, {}, blanks[zone]))["limit_of_detection"].get<double>();
+    };
     nlohmann::json report{{"title", settings.title}, {"unit", "mL"}, {"visits", nlohmann::json::array()}};
     for (std::size_t k = 0; k < visits.size(); ++k) {
         ReportVisit visit;
@@ -252,9 +278,10 @@ void run_report(const ReportSettings& settings) {
             entry["alignment_rms_mm"] = pair.alignment.rms_mm;
             entry["zones"] = nlohmann::json::array();
             for (std::size_t z = 0; z < zones.size(); ++z) {
-                const mien_zone_volume v = pair.volume.zone_volume(static_cast<std::int32_t>(z));
-                ReportVolume volume{v.signed_ml, v.sd_ml, v.low95_ml, v.high95_ml, v.absolute_ml,
-                                    std::fabs(v.signed_ml) < page.limits_ml[z]};
+                const mien_zone_volume& v = pair.volumes[z];
+                const double limit = limit_ml(z, v);
+                ReportVolume volume{v.signed_ml, v.sd_ml, v.low95_ml, v.high95_ml, v.absolute_ml, limit,
+                                    std::fabs(v.signed_ml) < limit};
                 visit.volumes.push_back(volume);
                 entry["zones"].push_back({{"name", zones[z].name},
                                           {"signed_ml", v.signed_ml},
@@ -262,7 +289,7 @@ void run_report(const ReportSettings& settings) {
                                           {"sd_ml", v.sd_ml},
                                           {"low95_ml", v.low95_ml},
                                           {"high95_ml", v.high95_ml},
-                                          {"limit_of_detection_ml", page.limits_ml[z]},
+                                          {"limit_of_detection_ml", limit},
                                           {"below_limit_of_detection", volume.below_limit}});
             }
         }
@@ -271,11 +298,11 @@ void run_report(const ReportSettings& settings) {
     }
     page.notes = {
         settings.fitted ? "Faces were fitted beforehand." : "Each scan was registered with the template of " + settings.model + ".",
-        expressions ? "Expressions were removed with " + settings.expressions + "; what that removal gets wrong is not in the intervals."
+        expressions ? "Expressions were removed with " + settings.expressions + "; what that leaves open widens the intervals."
                     : "Expressions were not removed: the intervals hold for faces that are held alike.",
         "Faces were aligned on: " + settings.stable + ".",
         "Volumes are exact between corresponding triangles; zones share their edge triangles linearly.",
-        "Intervals combine the deviations of both fits, correlated over " + short_number(settings.correlation) +
+        "Intervals combine the deviations of both fits, alike over " + short_number(settings.correlation) +
             " mm, the alignment's and a common bias of " + short_number(settings.bias) + " mm.",
         !blanks.empty() && blanks[0].size() >= 2
             ? "Limits of detection come from " + std::to_string(blanks[0].size()) + " pairs of captures of the same visit."
@@ -296,7 +323,7 @@ void add_report_commands(CLI::App& app) {
     command->add_option("--visits", settings->visits, "folder with one mesh, or folder of captures, per visit")->required();
     command->add_option("--model", settings->model, "deformation model, to register the scans");
     command->add_flag("--fitted", settings->fitted, "the meshes are fitted templates already");
-    command->add_option("--sd", settings->sd, "with --fitted: deviation of a vertex, mm")->capture_default_str();
+    command->add_option("--sd", settings->sd, "deviation of a fitted surface along its normal, mm")->capture_default_str();
     command->add_option("--expressions", settings->expressions, "expression model, to neutralize the faces");
     command->add_option("--zones", settings->zones, "zone file")->required();
     command->add_option("--show", settings->shown, "zones to report; default: all")->delimiter(',');

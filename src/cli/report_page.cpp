@@ -28,16 +28,16 @@ std::string inline_png(const Image& image, const std::string& alt) {
     return "<img alt=\"" + html_text(alt) + "\" src=\"" + png_data_uri(image) + "\">";
 }
 
-/// One zone over the visits: dots with 95 % bars, the limit of detection as a band.
+/// One zone over the visits: dots with 95 % bars before the limit of detection as a grey block.
 std::string zone_plot(const ReportPage& page, std::size_t zone) {
-    const double left = 48, right = 308, top = 14, bottom = 168;
-    double low = -page.limits_ml[zone], high = page.limits_ml[zone];
-    if (!std::isfinite(high)) low = high = 0;
+    const double left = 48, right = 290, top = 14, bottom = 168;
+    double low = 0, high = 0;
     for (const ReportVisit& visit : page.visits)
         if (zone < visit.volumes.size()) {
             const ReportVolume& v = visit.volumes[zone];
-            low = std::min({low, v.signed_ml, std::isfinite(v.low95_ml) ? v.low95_ml : v.signed_ml});
-            high = std::max({high, v.signed_ml, std::isfinite(v.high95_ml) ? v.high95_ml : v.signed_ml});
+            const double limit = std::isfinite(v.limit_ml) ? v.limit_ml : 0;
+            low = std::min({low, -limit, v.signed_ml, std::isfinite(v.low95_ml) ? v.low95_ml : v.signed_ml});
+            high = std::max({high, limit, v.signed_ml, std::isfinite(v.high95_ml) ? v.high95_ml : v.signed_ml});
         }
     const double pad = std::max(0.08 * (high - low), 0.05);
     low -= pad;
@@ -53,9 +53,12 @@ std::string zone_plot(const ReportPage& page, std::size_t zone) {
     char text[300];
     std::string svg = "<svg viewBox=\"0 0 320 200\" role=\"img\" aria-label=\"" + html_text(page.zones[zone]) +
                       " over the visits\" font-size=\"11\" fill=\"#444\">";
-    if (std::isfinite(page.limits_ml[zone])) {
-        std::snprintf(text, sizeof text, "<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" fill=\"#eee\"/>", left,
-                      y(page.limits_ml[zone]), right - left, y(-page.limits_ml[zone]) - y(page.limits_ml[zone]));
+    for (std::size_t k = 1; k < page.visits.size(); ++k) {
+        if (zone >= page.visits[k].volumes.size()) continue;
+        const double limit = page.visits[k].volumes[zone].limit_ml;
+        if (!std::isfinite(limit)) continue;
+        std::snprintf(text, sizeof text, "<rect x=\"%.1f\" y=\"%.1f\" width=\"24\" height=\"%.1f\" fill=\"#e6e6e6\"/>",
+                      x(k) - 12, y(limit), y(-limit) - y(limit));
         svg += text;
     }
     for (double tick : round_ticks(low, high, 5)) {
@@ -91,7 +94,7 @@ std::string zone_plot(const ReportPage& page, std::size_t zone) {
 std::string volume_table(const ReportPage& page) {
     std::string html = "<div class=\"wide\"><table><tr><th>Zone</th>";
     for (std::size_t k = 1; k < page.visits.size(); ++k) html += "<th>" + html_text(page.visits[k].name) + "</th>";
-    html += "<th>limit of detection</th></tr>";
+    html += "</tr>";
     for (std::size_t z = 0; z < page.zones.size(); ++z) {
         html += "<tr><td>" + html_text(page.zones[z]) + "</td>";
         for (std::size_t k = 1; k < page.visits.size(); ++k) {
@@ -103,10 +106,10 @@ std::string volume_table(const ReportPage& page) {
             html += v.below_limit ? "<td class=\"below\">" : "<td>";
             html += "<b>" + fixed(v.signed_ml, 2) + "</b>";
             if (std::isfinite(v.low95_ml)) html += "<br>" + fixed(v.low95_ml, 2) + " to " + fixed(v.high95_ml, 2);
-            if (v.below_limit) html += "<br>below the limit";
+            if (std::isfinite(v.limit_ml)) html += (v.below_limit ? "<br>below the limit " : "<br>limit ") + fixed(v.limit_ml, 2);
             html += "</td>";
         }
-        html += "<td>" + fixed(page.limits_ml[z], 2) + "</td></tr>";
+        html += "</tr>";
     }
     return html + "</table></div>";
 }
@@ -131,10 +134,11 @@ std::string report_html(const ReportPage& page) {
                        html_text(page.title) + "</title><style>" + kStyle + "</style></head><body><h1>" +
                        html_text(page.title) + "</h1>";
     html += "<h2>Volume against " + html_text(page.visits.front().name) + "</h2><p>Millilitres, positive: gained. "
-            "Second line: 95 % interval. Grey: below the limit of detection, not distinguishable from no change.</p>" +
+            "Second line: 95 % interval. Third: limit of detection; what is grey lies below it and cannot be told from "
+            "no change.</p>" +
             volume_table(page) + "<h2>Over time</h2><div class=\"plots\">";
     for (std::size_t z = 0; z < page.zones.size(); ++z) html += zone_plot(page, z);
-    html += "</div><p>Bars: 95 % interval. Grey band: limit of detection. Hollow dots lie within it.</p><h2>Visits</h2>";
+    html += "</div><p>Bars: 95 % interval. Grey: below the limit of detection. Hollow dots lie within it.</p><h2>Visits</h2>";
     for (const ReportVisit& visit : page.visits) {
         html += "<h3>" + html_text(visit.name) + "</h3><p class=\"" + (visit.good ? "good" : "bad") + "\">" +
                 html_text(visit.verdict) + "</p>" + inline_png(visit.face, visit.name + ", the face");

@@ -13,6 +13,7 @@ namespace mien::cli {
 struct ReportVolume {
     double signed_ml = 0, sd_ml = std::numeric_limits<double>::quiet_NaN();
     double low95_ml = 0, high95_ml = 0, absolute_ml = 0;
+    double limit_ml = 0;  ///< of detection
     bool below_limit = false;
 };
 
@@ -28,7 +29,6 @@ struct ReportPage {
     std::string title;
     std::vector<std::string> notes;  ///< how the numbers came about
     std::vector<std::string> zones;
-    std::vector<double> limits_ml;   ///< limit of detection per zone
     std::vector<ReportVisit> visits;
 };
 
