@@ -58,7 +58,7 @@ for machine; do
         ;;
     windows-x86_64)
         install wine64
-        cross=x86_64-w64-mingw32-; exe=.exe; link="-L${root}lib -lmien -static"
+        cross=x86_64-w64-mingw32-; exe=.exe; link="${root}lib/libmien.dll.a -static"
         export WINEPREFIX="$work/wine" WINEDEBUG=-all
         run() { "$(command -v wine64 || echo /usr/lib/wine/wine64)" "$@"; }
         cp "$root"bin/*.dll "$programs/"
