@@ -139,13 +139,13 @@ void add_build(CLI::App& parent) {
         ->capture_default_str();
     command.add_option("--landmarks", settings->landmarks, "landmark vertices of the template, JSON");
     command.add_option("--zones", settings->zones, "zones of the template, JSON");
+    // A scan may show any expression, and a fit needs the small modes too: so all faces, and nearly all variance.
+    model.pca_all_expressions = true;
+    model.pca_variance = 0.999;
     command.add_option("--pca", model.pca_dataset, "dataset of registered faces: adds their mean and modes");
     command.add_option("--pca-modes", model.pca_modes, "0: as many as --pca-variance asks for");
     command.add_option("--pca-variance", model.pca_variance, "share of the faces' variance kept")
         ->capture_default_str();
-    // A scan may show any expression, and a fit needs the small modes too: so all faces, and nearly all variance.
-    model.pca_all_expressions = true;
-    model.pca_variance = 0.999;
     command.add_flag("--pca-all,!--pca-neutral", model.pca_all_expressions,
                      "all faces (the default), or the neutral ones alone");
     command.add_flag("--pca-align", model.pca_align, "move each face rigidly onto the template first");
