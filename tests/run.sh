@@ -6,7 +6,7 @@ cd "$(dirname "$0")/.."
 
 sh cmake/install-packages.sh build test
 
-cmake --preset release
+cmake --preset release -DMIEN_WERROR=ON
 cmake --build --preset release
 ctest --preset release -j 2 --timeout 900
 
