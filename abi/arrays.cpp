@@ -44,9 +44,14 @@ const char* checked_text(const char* text, const char* parameter) {
     return text;
 }
 
-void check_view(const mien_array_view& view, int columns, const char* name) {
-    if (reinterpret_cast<std::uintptr_t>(&view) % alignof(mien_array_view) != 0)
+const mien_array_view& checked_view(const mien_array_view* view, const char* name) {
+    if (view == nullptr) fail(Status::invalid_argument, "%s is null", name);
+    if (reinterpret_cast<std::uintptr_t>(view) % alignof(mien_array_view) != 0)
         fail(Status::invalid_argument, "%s, the view itself, is misaligned", name);
+    return *view;
+}
+
+void check_view(const mien_array_view& view, int columns, const char* name) {
     const std::size_t size = view.dtype == MIEN_DTYPE_F64 ? 8 : view.dtype == MIEN_DTYPE_U8 ? 1 : 4;
     if (view.dtype < MIEN_DTYPE_F32 || view.dtype > MIEN_DTYPE_U8)
         fail(Status::invalid_argument, "%s.dtype is %d, which is unknown", name, view.dtype);

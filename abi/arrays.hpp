@@ -18,6 +18,9 @@ constexpr std::uint64_t kMostNames = 100000;
 /// Text from the host: not null.
 const char* checked_text(const char* text, const char* parameter);
 
+/// The view behind the pointer: not null, aligned. Before any reference to it is made.
+const mien_array_view& checked_view(const mien_array_view* view, const char* name);
+
 /// Checks null, alignment, stride, dtype and count * stride overflow of a #rows x columns view.
 void check_view(const mien_array_view& view, int columns, const char* name);
 

@@ -46,11 +46,11 @@ mien_status MIEN_CALL mien_dataset_writer_add(mien_dataset_writer* writer,
                                               int32_t expression, mien_error* error) {
     return guarded(error, [&] {
         mien_dataset_writer& target = checked(writer, "writer");
-        if (positions == nullptr) fail(Status::invalid_argument, "positions is null");
+        const mien_array_view& given = checked_view(positions, "positions");
         if (expression < 0 || expression >= target.num_expressions)
             fail(Status::invalid_argument, "expression is %d, the dataset has %d expression names",
                  expression, target.num_expressions);
-        const Points face = read_points(*positions, "positions");
+        const Points face = read_points(given, "positions");
         if (face.rows() != target.num_vertices)
             fail(Status::mismatch, "the face has %lld vertices, the dataset's topology %lld",
                  static_cast<long long>(face.rows()), static_cast<long long>(target.num_vertices));

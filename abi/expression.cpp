@@ -64,7 +64,7 @@ NeutralizeMeshOptions read_neutralize_options(const mien_neutralize_options& giv
 
 Vector read_coordinates(const mien_array_view* view, const char* name) {
     check_output(view, name);
-    return view == nullptr || view->count == 0 ? Vector() : read_values(*view, name);
+    return view == nullptr || checked_view(view, name).count == 0 ? Vector() : read_values(*view, name);
 }
 
 mien_neutralization* neutralize_face(mien_session* session, const ExpressionModel& model,

@@ -29,8 +29,7 @@ mien_status MIEN_CALL mien_surface_transfer_points(mien_session* session, const 
     return guarded(error, [&] {
         const TriMesh& mesh = *checked(surface, "surface").mesh;
         const Call call(session);
-        if (points == nullptr) fail(Status::invalid_argument, "points is null");
-        const Points places = read_points(*points, "points");
+        const Points places = read_points(checked_view(points, "points"), "points");
         const double limit = limit_of(max_distance_mm);
         for (Index i = 0; i < places.rows(); ++i)
             if (!places.row(i).allFinite())
