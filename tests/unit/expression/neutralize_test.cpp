@@ -8,34 +8,19 @@
 #include "base/error.hpp"
 #include "base/thread_pool.hpp"
 #include "expression/training.hpp"
-#include "study.hpp"
+#include "trained_study.hpp"
 
 namespace mien {
 namespace {
 
 using test::mean_distance;
-using test::Study;
-
-const Study& study() {
-    static const Study made;
-    return made;
-}
-
-const ExpressionModel& model() {
-    static const std::shared_ptr<const ExpressionModel> trained = [] {
-        TrainOptions options;
-        options.subspaces.identity_modes = 10;
-        options.subspaces.expression_modes = 8;
-        return train_expression_model(study().dataset(0, study().subjects, "neutralize"), options,
-                                      Context());
-    }();
-    return *trained;
-}
+using test::study;
+using test::trained_model;
 
 Points neutralized(const Points& face, FitMethod method, const Vector& weights = Vector()) {
     NeutralizeOptions options;
     options.fit.method = method;
-    return neutralize(Context(), model(), face, weights, options).neutral_vertices;
+    return neutralize(Context(), trained_model<10>(), face, weights, options).neutral_vertices;
 }
 
 TEST(Neutralize, BringsUnseenFacesBackToTheirNeutral) {
@@ -59,7 +44,7 @@ TEST(Neutralize, WhatOrthogonalityTookFromTheExpressionComesBackInFitsWithAPrior
     options.subspaces.method = TrainMethod::quasi_orthogonal;
     const auto quasi = train_expression_model(study().dataset(0, study().subjects, "spill"), options, Context());
     ASSERT_FALSE(quasi->spill.empty());
-    ASSERT_TRUE(model().spill.empty());
+    ASSERT_TRUE(trained_model<10>().spill.empty());
     double before = 0, joint = 0, orthogonal = 0, changed = 0;
     for (int subject = 50; subject < 60; ++subject) {
         const Points truth = study().neutral(subject);
@@ -115,10 +100,10 @@ TEST(Neutralize, AlternationConvergesToTheExactFit) {
     options.fit.method = FitMethod::alternating;
     options.fit.max_sweeps = 20000;
     options.fit.tolerance = 1e-12;
-    const NeutralizationResult result = neutralize(Context(), model(), face, Vector(), options);
+    const NeutralizationResult result = neutralize(Context(), trained_model<10>(), face, Vector(), options);
     EXPECT_LT(mean_distance(result.neutral_vertices, neutralized(face, FitMethod::exact)), 1e-3);
     options.fit.max_sweeps = 3;
-    EXPECT_EQ(neutralize(Context(), model(), face, Vector(), options).sweeps, 3);
+    EXPECT_EQ(neutralize(Context(), trained_model<10>(), face, Vector(), options).sweeps, 3);
 }
 
 TEST(Neutralize, WeightsOfOneChangeNothing) {
@@ -148,8 +133,8 @@ TEST(Neutralize, SameBitsForAnyThreadCount) {
     context.pool = &pool;
     const Points face = study().face(54, 4);
     const Vector weights = Vector::LinSpaced(face.rows(), 0.0, 1.0);
-    EXPECT_TRUE(neutralize(Context(), model(), face, weights, {}).neutral_vertices ==
-                neutralize(context, model(), face, weights, {}).neutral_vertices);
+    EXPECT_TRUE(neutralize(Context(), trained_model<10>(), face, weights, {}).neutral_vertices ==
+                neutralize(context, trained_model<10>(), face, weights, {}).neutral_vertices);
 }
 
 TEST(Neutralize, UncertaintyIsLargerWhereTheFaceIsUnseen) {
@@ -157,28 +142,28 @@ TEST(Neutralize, UncertaintyIsLargerWhereTheFaceIsUnseen) {
     NeutralizeOptions options;
     options.uncertainty = true;
     Vector weights = Vector::Ones(face.rows());
-    const Vector seen = neutralize(Context(), model(), face, weights, options).uncertainty_mm;
+    const Vector seen = neutralize(Context(), trained_model<10>(), face, weights, options).uncertainty_mm;
     ASSERT_EQ(seen.size(), face.rows());
     for (Index i = 0; i < face.rows() / 2; ++i) weights[i] = 0.0;
-    const Vector half = neutralize(Context(), model(), face, weights, options).uncertainty_mm;
+    const Vector half = neutralize(Context(), trained_model<10>(), face, weights, options).uncertainty_mm;
     EXPECT_GT(half.mean(), 1.2 * seen.mean());
     EXPECT_GE(seen.minCoeff(), 0.0);
 }
 
 TEST(Neutralize, ABadlyMeasuredNeutralFaceIsNotGivenAnExpression) {
-    ASSERT_GT(model().expected_residual_mm, 0.0);
+    ASSERT_GT(trained_model<10>().expected_residual_mm, 0.0);
     // An error that varies smoothly over the face, far above what the training faces have.
     const Points truth = study().neutral(56);
     Points face = truth;
     for (Index i = 0; i < face.rows(); ++i)
         face(i, 2) += 2.0 * std::sin(0.09 * face(i, 0)) * std::cos(0.11 * face(i, 1));
-    const NeutralizationResult careful = neutralize(Context(), model(), face, Vector(), {});
+    const NeutralizationResult careful = neutralize(Context(), trained_model<10>(), face, Vector(), {});
     EXPECT_GT(careful.doubted_share, 0.2);
     EXPECT_LT(careful.mean_displacement_mm, 0.2 * mean_distance(face, truth));
-    EXPECT_EQ(careful.component_probabilities.size(), model().components.size());
+    EXPECT_EQ(careful.component_probabilities.size(), trained_model<10>().components.size());
     EXPECT_GT(careful.component_probabilities.front(), 0.5);
     // A face that was measured well is not treated with suspicion.
-    EXPECT_EQ(neutralize(Context(), model(), truth, Vector(), {}).doubted_share, 0.0);
+    EXPECT_EQ(neutralize(Context(), trained_model<10>(), truth, Vector(), {}).doubted_share, 0.0);
 }
 
 TEST(Neutralize, WhatNoFaceExplainsIsDoubtedAndMisleadsTheRestNoMore) {
@@ -191,13 +176,13 @@ TEST(Neutralize, WhatNoFaceExplainsIsDoubtedAndMisleadsTheRestNoMore) {
         const Index first = face.rows() - 3 * study().side;
         for (Index i = first; i < face.rows(); ++i) face(i, 2) += 25.0;
         NeutralizeOptions trusting;
-        trusting.fit.noise_mm2 = model().mixture_noise_mm2;  // a noise that is given is not questioned
-        const NeutralizationResult careful = neutralize(Context(), model(), face, Vector(), {});
+        trusting.fit.noise_mm2 = trained_model<10>().mixture_noise_mm2;  // a noise that is given is not questioned
+        const NeutralizationResult careful = neutralize(Context(), trained_model<10>(), face, Vector(), {});
         EXPECT_GT(careful.doubted_share, 0.1);
         before += mean_distance(whole.topRows(first), truth.topRows(first));
         doubted += mean_distance(careful.neutral_vertices.topRows(first), truth.topRows(first));
         believed += mean_distance(
-            neutralize(Context(), model(), face, Vector(), trusting).neutral_vertices.topRows(first),
+            neutralize(Context(), trained_model<10>(), face, Vector(), trusting).neutral_vertices.topRows(first),
             truth.topRows(first));
     }
     EXPECT_LT(doubted, 0.5 * before);
@@ -210,7 +195,7 @@ TEST(Neutralize, ADroppedJawIsNotTakenForANod) {
     double angle = 0;
     for (int subject = 50; subject < 60; ++subject) {
         const Similarity pose =
-            neutralize(Context(), model(), study().face(subject, 1), Vector(), rigid).pose;
+            neutralize(Context(), trained_model<10>(), study().face(subject, 1), Vector(), rigid).pose;
         angle += std::acos(std::min(1.0, 0.5 * (pose.rotation.trace() - 1.0))) * 18.0 / 3.14159265;
     }
     EXPECT_LT(angle, 1.0);  // degrees, mean over the faces, which lie straight
@@ -236,8 +221,8 @@ TEST(Neutralize, RefusesWhatDoesNotFit) {
     EXPECT_EQ(status_of([&] { neutralized(face, FitMethod::map); }), Status::invalid_mesh);
     Triangles other = study().triangles;
     std::swap(other(0, 0), other(0, 1));
-    EXPECT_EQ(status_of([&] { check_topology(model(), face.rows(), other); }), Status::mismatch);
-    EXPECT_EQ(status_of([&] { check_topology(model(), face.rows(), study().triangles); }), Status::ok);
+    EXPECT_EQ(status_of([&] { check_topology(trained_model<10>(), face.rows(), other); }), Status::mismatch);
+    EXPECT_EQ(status_of([&] { check_topology(trained_model<10>(), face.rows(), study().triangles); }), Status::ok);
 }
 
 }  // namespace

@@ -4,43 +4,28 @@
 
 #include "base/error.hpp"
 #include "expression/training.hpp"
-#include "study.hpp"
+#include "trained_study.hpp"
 
 namespace mien {
 namespace {
 
 using test::mean_distance;
-using test::Study;
-
-const Study& series_study() {
-    static const Study made;
-    return made;
-}
-
-const ExpressionModel& series_model() {
-    static const std::shared_ptr<const ExpressionModel> trained = [] {
-        TrainOptions options;
-        options.subspaces.identity_modes = 8;
-        options.subspaces.expression_modes = 8;
-        return train_expression_model(series_study().dataset(0, series_study().subjects, "series"), options,
-                                      Context());
-    }();
-    return *trained;
-}
+using test::study;
+using test::trained_model;
 
 TEST(Series, SharesOneIdentityAndBeatsEachScanAlone) {
     double alone = 0, together = 0;
     for (int subject = 60; subject < 68; ++subject) {
         std::vector<SeriesScan> scans;
         for (int expression = 1; expression < 5; ++expression) {
-            scans.push_back({series_study().face(subject, expression), Vector()});
+            scans.push_back({study().face(subject, expression), Vector()});
             alone += 0.25 * mean_distance(
-                                neutralize(Context(), series_model(), scans.back().vertices, Vector(), {})
+                                neutralize(Context(), trained_model<8>(), scans.back().vertices, Vector(), {})
                                     .neutral_vertices,
-                                series_study().neutral(subject));
+                                study().neutral(subject));
         }
-        const SeriesResult result = neutralize_series(Context(), series_model(), scans, {});
-        together += mean_distance(result.identity_vertices, series_study().neutral(subject));
+        const SeriesResult result = neutralize_series(Context(), trained_model<8>(), scans, {});
+        together += mean_distance(result.identity_vertices, study().neutral(subject));
         ASSERT_EQ(result.neutral_vertices.size(), 4u);
         ASSERT_EQ(result.components.size(), 4u);
     }
@@ -50,36 +35,36 @@ TEST(Series, SharesOneIdentityAndBeatsEachScanAlone) {
 TEST(Series, WeightsOfOneEqualNoWeights) {
     std::vector<SeriesScan> plain, weighted;
     for (int expression = 1; expression < 4; ++expression) {
-        plain.push_back({series_study().face(61, expression), Vector()});
-        weighted.push_back({series_study().face(61, expression), Vector::Ones(series_study().rest.rows())});
+        plain.push_back({study().face(61, expression), Vector()});
+        weighted.push_back({study().face(61, expression), Vector::Ones(study().rest.rows())});
     }
-    const SeriesResult a = neutralize_series(Context(), series_model(), plain, {});
-    const SeriesResult b = neutralize_series(Context(), series_model(), weighted, {});
+    const SeriesResult a = neutralize_series(Context(), trained_model<8>(), plain, {});
+    const SeriesResult b = neutralize_series(Context(), trained_model<8>(), weighted, {});
     EXPECT_LT(mean_distance(a.identity_vertices, b.identity_vertices), 1e-3);
 }
 
 TEST(Series, AChangeInTheTreatedZoneIsKept) {
-    const Points before = series_study().face(62, 2);
+    const Points before = study().face(62, 2);
     // A swelling that resembles an expression: where "open" moves the face.
-    const Points swelling = series_study().bump(60, 20, 18, Vector3(0, -6, 2));
-    std::vector<SeriesScan> scans = {{before, Vector()}, {series_study().face(62, 3), Vector()},
-                                     {series_study().neutral(62) + swelling, Vector()}};
+    const Points swelling = study().bump(60, 20, 18, Vector3(0, -6, 2));
+    std::vector<SeriesScan> scans = {{before, Vector()}, {study().face(62, 3), Vector()},
+                                     {study().neutral(62) + swelling, Vector()}};
     SeriesOptions options;
-    const SeriesResult plain = neutralize_series(Context(), series_model(), scans, options);
-    for (Index i = 0; i < series_study().rest.rows(); ++i)
+    const SeriesResult plain = neutralize_series(Context(), trained_model<8>(), scans, options);
+    for (Index i = 0; i < study().rest.rows(); ++i)
         if (swelling.row(i).norm() > 0.3)
             options.changing_zone.push_back(static_cast<std::uint32_t>(i));
-    const SeriesResult kept = neutralize_series(Context(), series_model(), scans, options);
-    const Points truth = series_study().neutral(62) + swelling;
+    const SeriesResult kept = neutralize_series(Context(), trained_model<8>(), scans, options);
+    const Points truth = study().neutral(62) + swelling;
     EXPECT_LT(mean_distance(kept.neutral_vertices[2], truth),
               0.5 * mean_distance(plain.neutral_vertices[2], truth) + 0.02);
 }
 
 TEST(Series, RefusesNothingAndFitsWithoutAPrior) {
-    EXPECT_THROW(neutralize_series(Context(), series_model(), {}, {}), Error);
+    EXPECT_THROW(neutralize_series(Context(), trained_model<8>(), {}, {}), Error);
     SeriesOptions options;
     options.method = FitMethod::exact;
-    EXPECT_THROW(neutralize_series(Context(), series_model(), {{series_study().face(60, 1), Vector()}}, options), Error);
+    EXPECT_THROW(neutralize_series(Context(), trained_model<8>(), {{study().face(60, 1), Vector()}}, options), Error);
 }
 
 }  // namespace
