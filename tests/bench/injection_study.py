@@ -95,13 +95,11 @@ def cheeks_ml(o, folder, scratch, *options):
 
 
 def write_truth(o, folder, name):
+    """The simulated face itself, in the scan's frame and the template's topology."""
     sys.path.insert(0, str(o.shared / "tools"))
-    from mien_data import read_safetensors, read_mesh
-    import mien_data
-    tensors = read_safetensors(folder / "truth.safetensors")
-    tensors = tensors[0] if isinstance(tensors, tuple) else tensors
-    faces = read_mesh(o.shared / "data/ict/template.ply")[1]
-    mien_data.write_ply(name, np.asarray(tensors["vertices"], float), faces)
+    from mien_data import read_mesh, read_safetensors, write_ply
+    tensors, _ = read_safetensors(folder / "truth.safetensors")
+    write_ply(name, np.asarray(tensors["vertices"], float), read_mesh(o.shared / "data/ict/template.ply")[1])
 
 
 def main():
