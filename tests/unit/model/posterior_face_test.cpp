@@ -19,6 +19,7 @@ namespace mien {
 namespace {
 
 constexpr Index kFaceVertices = 9409;
+constexpr int kPeople = 40;
 constexpr double kNoise = 1.5;  // what a person picking points on a scan achieves, mm per axis
 
 class PosteriorOnFaces : public testing::Test {
@@ -49,10 +50,10 @@ class PosteriorOnFaces : public testing::Test {
         return face;
     }
 
-    /// Whole-face error of the posterior's mean over that of the rigid start, over three people.
+    /// Whole-face error of the posterior's mean over that of the rigid start, over many people.
     double error_ratio(const DeformationModel& prior) {
         double before = 0, after = 0;
-        for (std::uint64_t number = 0; number < 3; ++number) {
+        for (std::uint64_t number = 0; number < kPeople; ++number) {
             Points truth = person(11, number);
             const CounterRandom random(12, number);
             Points at_template(68, 3), at_face(68, 3);
@@ -81,7 +82,7 @@ class PosteriorOnFaces : public testing::Test {
             before += (mesh_.vertices - truth).topRows(kFaceVertices).rowwise().norm().mean();
             after += (mean - truth).topRows(kFaceVertices).rowwise().norm().mean();
         }
-        std::printf("whole face: %.2f mm rigid, %.2f mm with the posterior\n", before / 3, after / 3);
+        std::printf("whole face: %.2f mm rigid, %.2f mm with the posterior\n", before / kPeople, after / kPeople);
         return after / before;
     }
 
@@ -94,11 +95,15 @@ class PosteriorOnFaces : public testing::Test {
     std::vector<std::uint32_t> landmarks_;
 };
 
-TEST_F(PosteriorOnFaces, AKernelAloneTakesAThirdOfTheError) {
+// People differ first in the size and the proportions of the whole head: a kernel that reaches no
+// farther than a cheek cannot carry that from the landmarks to the forehead.
+TEST_F(PosteriorOnFaces, AWideKernelUnderGeodesicOnesTakesTwoFifthsOfTheError) {
     ModelOptions options;
-    options.kernels = multiscale({KernelKind::geodesic_se, 37.5, 6.0, 2.0}, 3);
+    options.kernels = {{KernelKind::euclidean_se, 140.0, 5.0, 2.0},
+                       {KernelKind::geodesic_se, 56.0, 1.5, 2.0},
+                       {KernelKind::geodesic_se, 23.0, 0.7, 2.0}};
     options.num_modes = 300;
-    EXPECT_LT(error_ratio(*build_deformation_model(mesh_, {}, {}, options, context_).model), 0.72);
+    EXPECT_LT(error_ratio(*build_deformation_model(mesh_, {}, {}, options, context_).model), 0.6);
 }
 
 TEST_F(PosteriorOnFaces, AModelTrainedOnOtherPeopleTakesMoreThanTwoFifths) {
