@@ -97,6 +97,10 @@ borrow libeigen3-dev include/eigen3 share/eigen3
 borrow libspectra-dev include/Spectra share/spectra
 borrow nlohmann-json3-dev include/nlohmann share/cmake/nlohmann_json
 borrow libcli11-dev include/CLI share/cmake/CLI11
+# Debian's OpenMesh builds shared libraries only, and a package that needs nothing links it statically.
+fetch openmesh
+sed -i 's/\(vci_add_library *(OpenMesh[A-Za-z]* *\)SHARED /\1STATIC /' \
+    "$work"/source/openmesh/src/OpenMesh/Core/CMakeLists.txt "$work"/source/openmesh/src/OpenMesh/Tools/CMakeLists.txt
 build openmesh -DBUILD_APPS=OFF -DOPENMESH_DOCS=OFF -DOPENMESH_BUILD_SHARED=OFF
 build_zlib
 build libpng1.6 -DPNG_SHARED=OFF -DPNG_TESTS=OFF -DPNG_EXECUTABLES=OFF
