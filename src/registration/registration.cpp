@@ -184,7 +184,8 @@ void assess(const DeformationModel& model, const ScanSurface& scan, const std::v
     v.landmarks_used = static_cast<int>(pins.size());
     v.landmark_rms_mm = pins.empty() ? 0 : std::sqrt(squares / static_cast<double>(pins.size()));
     const auto spread = [](const Points& points) {
-        return std::sqrt((points.rowwise() - points.colwise().mean()).rowwise().squaredNorm().mean());
+        const Eigen::RowVector3d mean = points.colwise().mean();
+        return std::sqrt((points.rowwise() - mean).rowwise().squaredNorm().mean());
     };
     v.size_ratio = spread(state.places) / spread(model.template_mesh.vertices);
     const FitCoefficients& c = state.coefficients;
