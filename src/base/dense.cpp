@@ -1,6 +1,7 @@
 #include "base/dense.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <vector>
 
 #include "base/dense_kernels.hpp"
@@ -9,6 +10,8 @@
 
 namespace mien::dense {
 namespace {
+
+std::atomic<bool> portable_only{false};
 
 bool detect_avx2() {
 #if defined(MIEN_AVX2)
@@ -109,12 +112,54 @@ void gram_panels(const Context& context, const ConstRef& a, const WeightVector& 
         for (Index i = j + 1; i < n; ++i) c(j, i) = c(i, j);
 }
 
+// Rows of a thin product at a time: with 500 columns half of a second cache of 1 MiB.
+constexpr std::size_t kStrip = 256;
+
+void check_thin(const ConstMatrixRefF& a, const Field& field) {
+    if (field.rows() != a.rows())
+        fail(Status::internal, "thin product of %lldx%lld with a field of %lld rows", static_cast<long long>(a.rows()),
+             static_cast<long long>(a.cols()), static_cast<long long>(field.rows()));
+}
+
+/// A' field of each strip, three columns a strip, to be added in their order whoever computed them.
+class StripSums {
+  public:
+    explicit StripSums(const ConstMatrixRefF& a)
+        : parts_(a.cols(), 3 * ((a.rows() + static_cast<Index>(kStrip) - 1) / static_cast<Index>(kStrip))) {}
+    void project(const ConstMatrixRefF& a, const Field& field, Index first, Index count) {
+        const Index k = a.cols();
+        kernels<float>().project_thin(count, k, a.data() + first, a.outerStride(), field.data() + first, field.rows(),
+                                      parts_.data() + 3 * k * (first / static_cast<Index>(kStrip)), k);
+    }
+    void add_up(Eigen::MatrixXf& out) const {
+        out.setZero(parts_.rows(), 3);
+        for (Index s = 0; s < parts_.cols(); s += 3) out += parts_.middleCols(s, 3);
+    }
+
+  private:
+    Eigen::MatrixXf parts_;
+};
+
+template <typename Work>  // (first row, number of rows)
+void for_each_strip(const Context& context, Index rows, const Work& work) {
+    parallel_for(context, static_cast<std::size_t>(rows), kStrip, [&](std::size_t begin, std::size_t end) {
+        work(static_cast<Index>(begin), static_cast<Index>(end - begin));
+    });
+}
+
+void expand(const ConstMatrixRefF& a, const ConstMatrixRefF& x, Field& field, Index first, Index count) {
+    kernels<float>().expand_thin(count, a.cols(), a.data() + first, a.outerStride(), x.data(), x.outerStride(),
+                                 field.data() + first, field.rows());
+}
+
 }  // namespace
 
 bool uses_avx2() {
     static const bool supported = detect_avx2();
-    return supported;
+    return supported && !portable_only;
 }
+
+void use_portable_loops(bool portable) { portable_only = portable; }
 
 void multiply(const Context& context, double alpha, const ConstMatrixRefD& a, Op op_a,
               const ConstMatrixRefD& b, Op op_b, double beta, MatrixRefD c) {
@@ -136,14 +181,40 @@ void weighted_gram(const Context& context, const ConstMatrixRefF& a, const Eigen
     gram_panels<float>(context, a, weights, c);
 }
 
-bool solve_spd(MatrixRefD a, MatrixRefD b) {
-    return kernels<double>().solve_spd(a.rows(), b.cols(), a.data(), a.outerStride(), b.data(),
-                                       b.outerStride());
+bool factor_spd(MatrixRefD a) { return kernels<double>().factor_spd(a.rows(), a.data(), a.outerStride()); }
+
+bool factor_spd(MatrixRefF a) { return kernels<float>().factor_spd(a.rows(), a.data(), a.outerStride()); }
+
+void solve_factored(const ConstMatrixRefD& factor, MatrixRefD b) {
+    kernels<double>().solve_factored(b.rows(), b.cols(), factor.data(), factor.outerStride(), b.data(), b.outerStride());
 }
 
-bool solve_spd(MatrixRefF a, MatrixRefF b) {
-    return kernels<float>().solve_spd(a.rows(), b.cols(), a.data(), a.outerStride(), b.data(),
-                                      b.outerStride());
+void solve_factored(const ConstMatrixRefF& factor, MatrixRefF b) {
+    kernels<float>().solve_factored(b.rows(), b.cols(), factor.data(), factor.outerStride(), b.data(), b.outerStride());
+}
+
+void add_thin_product(const Context& context, const ConstMatrixRefF& a, const ConstMatrixRefF& x, Field& field) {
+    check_thin(a, field);
+    for_each_strip(context, a.rows(), [&](Index first, Index count) { expand(a, x, field, first, count); });
+}
+
+void project_thin(const Context& context, const ConstMatrixRefF& a, const Field& field, Eigen::MatrixXf& out) {
+    check_thin(a, field);
+    StripSums sums(a);
+    for_each_strip(context, a.rows(), [&](Index first, Index count) { sums.project(a, field, first, count); });
+    sums.add_up(out);
+}
+
+void expand_and_project(const Context& context, const ConstMatrixRefF& a, const ConstMatrixRefF& x, Field& field,
+                        const std::function<void(Index first, Index count)>& between, Eigen::MatrixXf& out) {
+    check_thin(a, field);
+    StripSums sums(a);
+    for_each_strip(context, a.rows(), [&](Index first, Index count) {
+        expand(a, x, field, first, count);
+        between(first, count);
+        sums.project(a, field, first, count);
+    });
+    sums.add_up(out);
 }
 
 }  // namespace mien::dense

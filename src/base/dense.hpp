@@ -4,6 +4,8 @@
 // the same bits. The two instruction sets agree to rounding, not to the bit.
 #pragma once
 
+#include <functional>
+
 #include "base/context.hpp"
 #include "base/types.hpp"
 
@@ -29,12 +31,30 @@ void weighted_gram(const Context& context, const ConstMatrixRefD& a, const Vecto
 void weighted_gram(const Context& context, const ConstMatrixRefF& a, const Eigen::VectorXf& weights,
                    MatrixRefF c);
 
-/// Solves A X = B for symmetric positive definite A by Cholesky; A is overwritten by its factor, B
-/// by X. Returns false, with A and B undefined, when A is not positive definite.
-bool solve_spd(MatrixRefD a, MatrixRefD b);
-bool solve_spd(MatrixRefF a, MatrixRefF b);
+/// Cholesky factor of a symmetric positive definite matrix, whose lower triangle is read and overwritten.
+/// Returns false, with A undefined, when A is not positive definite.
+bool factor_spd(MatrixRefD a);
+bool factor_spd(MatrixRefF a);
+/// Solves A X = B by the factor; B is overwritten by X.
+void solve_factored(const ConstMatrixRefD& factor, MatrixRefD b);
+void solve_factored(const ConstMatrixRefF& factor, MatrixRefF b);
 
-/// True when the AVX2+FMA loops are in use on this processor.
+// Products of a tall matrix with three columns, the coordinates of a field. A general product packs the tall
+// side first, which costs as much as the work itself; these stream it.
+using Field = Eigen::Matrix<float, Eigen::Dynamic, 3>;
+
+/// field += A x for x (k x 3).
+void add_thin_product(const Context& context, const ConstMatrixRefF& a, const ConstMatrixRefF& x, Field& field);
+/// out (k x 3) = A' field.
+void project_thin(const Context& context, const ConstMatrixRefF& a, const Field& field, Eigen::MatrixXf& out);
+/// field += A x, then `between(first, count)` for each range of rows, then out = A' field: A is read from
+/// memory once instead of twice. `between` may change its rows of the field and runs on several threads.
+void expand_and_project(const Context& context, const ConstMatrixRefF& a, const ConstMatrixRefF& x, Field& field,
+                        const std::function<void(Index first, Index count)>& between, Eigen::MatrixXf& out);
+
+/// True when the AVX2+FMA loops are in use: the processor has them, and nobody asked for the portable ones.
 bool uses_avx2();
+/// For comparisons in one run: the portable loops from now on, on any processor. Not while a call is running.
+void use_portable_loops(bool portable);
 
 }  // namespace mien::dense

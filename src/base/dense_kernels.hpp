@@ -15,9 +15,17 @@ struct Kernels {
     /// Lower triangle of C (n x n) += A' A for A (k x n).
     void (*gram)(std::ptrdiff_t n, std::ptrdiff_t k, const Scalar* a, std::ptrdiff_t lda, Scalar* c,
                  std::ptrdiff_t ldc);
-    /// Cholesky of the lower triangle, then n x m right-hand sides. False: not positive definite.
-    bool (*solve_spd)(std::ptrdiff_t n, std::ptrdiff_t m, Scalar* a, std::ptrdiff_t lda, Scalar* b,
-                      std::ptrdiff_t ldb);
+    /// Cholesky of the lower triangle in place. False: not positive definite.
+    bool (*factor_spd)(std::ptrdiff_t n, Scalar* a, std::ptrdiff_t lda);
+    /// n x m right-hand sides by that factor, in place.
+    void (*solve_factored)(std::ptrdiff_t n, std::ptrdiff_t m, const Scalar* factor, std::ptrdiff_t ldf, Scalar* b,
+                           std::ptrdiff_t ldb);
+    /// Y (m x 3) += A X for A (m x k), X (k x 3).
+    void (*expand_thin)(std::ptrdiff_t m, std::ptrdiff_t k, const Scalar* a, std::ptrdiff_t lda, const Scalar* x,
+                        std::ptrdiff_t ldx, Scalar* y, std::ptrdiff_t ldy);
+    /// X (k x 3) = A' Y.
+    void (*project_thin)(std::ptrdiff_t m, std::ptrdiff_t k, const Scalar* a, std::ptrdiff_t lda, const Scalar* y,
+                         std::ptrdiff_t ldy, Scalar* x, std::ptrdiff_t ldx);
 };
 
 const Kernels<double>& portable_kernels_f64();

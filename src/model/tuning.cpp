@@ -49,8 +49,9 @@ std::vector<double> fit_residuals(const Eigen::MatrixXf& basis, const std::vecto
     normal.diagonal().array() += rho + 1e-12 * normal.diagonal().maxCoeff();
     Matrix alpha(r, columns);
     dense::multiply(context, 1.0, a, dense::Op::transpose, y, dense::Op::none, 0.0, alpha);
-    if (!dense::solve_spd(normal, alpha))
+    if (!dense::factor_spd(normal))
         fail(Status::no_solution, "the fit with known correspondence has no unique solution");
+    dense::solve_factored(normal, alpha);
     dense::multiply(context, -1.0, a, dense::Op::none, alpha, dense::Op::none, 1.0, y);
     std::vector<double> residuals;
     for (std::size_t k = 0; k < displacements.size(); ++k)

@@ -1,6 +1,5 @@
 #include "registration/solver.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <cmath>
@@ -8,7 +7,6 @@
 #include "base/dense.hpp"
 #include "base/error.hpp"
 #include "base/parallel.hpp"
-#include "registration/thin_product.hpp"
 
 namespace mien {
 namespace {
@@ -54,13 +52,58 @@ class FitSystem {
 
     // out = B' field.
     void project(VectorF& out) {
-        const Index r = layout_.r, p = layout_.p, m = field_.rows();
+        out.resize(layout_.size());
+        if (layout_.r > 0) {
+            MatrixF product;
+            dense::project_thin(context_, solver_.basis().leftCols(layout_.r), field_, product);
+            out.head(3 * layout_.r) = Eigen::Map<const VectorF>(product.data(), 3 * layout_.r);
+        }
+        project_vectors(out);
+    }
+
+    // out = A theta.
+    void apply(const VectorF& theta, VectorF& out) {
+        const Index r = layout_.r, kernel = 3 * r, p = layout_.p;
+        expand_vectors(theta);
         out.resize(layout_.size());
         if (r > 0) {
             MatrixF product;
-            thin_project(solver_.basis().leftCols(r), field_, product, context_);
-            out.head(3 * r) = Eigen::Map<const VectorF>(product.data(), 3 * r);
+            dense::expand_and_project(
+                context_, solver_.basis().leftCols(r), Eigen::Map<const MatrixF>(theta.data(), r, 3), field_,
+                [this](Index first, Index count) { weigh(first, count); }, product);
+            out.head(kernel) = Eigen::Map<const VectorF>(product.data(), kernel);
+        } else {
+            weigh(0, field_.rows());
         }
+        project_vectors(out);
+        out.head(kernel).array() += kernel_ridge_.array() * theta.head(kernel).array();
+        out.segment(kernel, p) += static_cast<float>(options_.pca_ridge) * theta.segment(kernel, p);
+    }
+
+    void precondition(const VectorF& in, VectorF& out) const {
+        out = in;
+        const Index r = layout_.r, q = layout_.p + layout_.g;
+        if (r > 0)
+            for (int axis = 0; axis < 3; ++axis)
+                dense::solve_factored(kernel_factor_[factor_of_[axis]], Eigen::Map<MatrixF>(out.data() + axis * r, r, 1));
+        if (q > 0) dense::solve_factored(vector_factor_, Eigen::Map<MatrixF>(out.data() + 3 * r, q, 1));
+    }
+
+  private:
+    // field = H field, in some of its rows.
+    void weigh(Index first, Index count) {
+        for (Index i = first; i < first + count; ++i) {
+            const auto h = terms_.precision.row(i);
+            const float x = field_(i, 0), y = field_(i, 1), z = field_(i, 2);
+            field_(i, 0) = h[0] * x + h[3] * y + h[4] * z;
+            field_(i, 1) = h[3] * x + h[1] * y + h[5] * z;
+            field_(i, 2) = h[4] * x + h[5] * y + h[2] * z;
+        }
+    }
+
+    // The trained modes' and the motion's part of out = B' field.
+    void project_vectors(VectorF& out) {
+        const Index r = layout_.r, p = layout_.p, m = field_.rows();
         if (p > 0) {
             flat_ = field_;  // x0 y0 z0 x1 ...
             const Eigen::Map<const VectorF> flat(flat_.data(), 3 * m);
@@ -83,41 +126,9 @@ class FitSystem {
         }
     }
 
-    // out = A theta.
-    void apply(const VectorF& theta, VectorF& out) {
-        expand(theta);
-        for (Index i = 0; i < field_.rows(); ++i) {
-            const auto h = terms_.precision.row(i);
-            const float x = field_(i, 0), y = field_(i, 1), z = field_(i, 2);
-            field_(i, 0) = h[0] * x + h[3] * y + h[4] * z;
-            field_(i, 1) = h[3] * x + h[1] * y + h[5] * z;
-            field_(i, 2) = h[4] * x + h[5] * y + h[2] * z;
-        }
-        project(out);
-        const Index kernel = 3 * layout_.r, p = layout_.p;
-        out.head(kernel).array() += kernel_ridge_.array() * theta.head(kernel).array();
-        out.segment(kernel, p) += static_cast<float>(options_.pca_ridge) * theta.segment(kernel, p);
-    }
-
-    void precondition(const VectorF& in, VectorF& out) const {
-        out = in;
-        if (layout_.r > 0) {
-            const Index r = layout_.r;
-            for (int axis = 0; axis < 3; ++axis)
-                kernel_factor_[factor_of_[axis]].solveInPlace(out.segment(axis * r, r));
-        }
-        if (layout_.p + layout_.g > 0) vector_factor_.solveInPlace(out.tail(layout_.p + layout_.g));
-    }
-
-  private:
-    // field = B theta.
-    void expand(const VectorF& theta) {
+    // The trained modes' and the motion's part of field = B theta.
+    void expand_vectors(const VectorF& theta) {
         const Index r = layout_.r, p = layout_.p, m = field_.rows();
-        if (r > 0)
-            thin_multiply(solver_.basis().leftCols(r), Eigen::Map<const MatrixF>(theta.data(), r, 3), field_,
-                          context_);
-        else
-            field_.setZero();
         if (p > 0) {
             flat_.resize(m, 3);
             Eigen::Map<VectorF> flat(flat_.data(), 3 * m);
@@ -126,7 +137,9 @@ class FitSystem {
                 flat.segment(first, count).noalias() =
                     solver_.pca().leftCols(p).middleRows(first, count) * theta.segment(3 * r, p);
             });
-            field_ += flat_;
+            field_ = flat_;
+        } else {
+            field_.setZero();
         }
         if (layout_.g > 0) {
             Eigen::Matrix<double, 7, 1> g = Eigen::Matrix<double, 7, 1>::Zero();
@@ -171,9 +184,9 @@ class FitSystem {
             if (factor_of_[axis] != axis) continue;
             MatrixF system = static_cast<float>(scale) * solver_.gram_;
             system.diagonal() += kernel_ridge_.segment(axis * r, r);
-            kernel_factor_[axis].compute(system);
-            if (kernel_factor_[axis].info() != Eigen::Success)
+            if (!dense::factor_spd(system))
                 fail(Status::no_solution, "the normal equations of the fit are not positive definite");
+            kernel_factor_[axis] = std::move(system);
         }
     }
 
@@ -216,9 +229,9 @@ class FitSystem {
         gram.diagonal().head(layout_.p).array() += static_cast<float>(options_.pca_ridge);
         // The motion has no prior; a whisper of one keeps a fit without any hit solvable.
         gram.diagonal().tail(layout_.g).array() += 1e-6f * std::max(1.0f, gram.diagonal().maxCoeff());
-        vector_factor_.compute(gram);
-        if (vector_factor_.info() != Eigen::Success)
+        if (!dense::factor_spd(gram))
             fail(Status::no_solution, "the normal equations of the fit are not positive definite");
+        vector_factor_ = std::move(gram);
     }
 
     FitSolver& solver_;
@@ -229,11 +242,11 @@ class FitSystem {
     const Context& context_;
     Vector3 centre_;
     double radius_ = 1;
-    Eigen::Matrix<float, Eigen::Dynamic, 3> field_;
+    dense::Field field_;
     Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> flat_;
     VectorF kernel_ridge_;  // 3 r
     int factor_of_[3] = {0, 1, 2};
-    Eigen::LLT<MatrixF> kernel_factor_[3], vector_factor_;
+    MatrixF kernel_factor_[3], vector_factor_;  // Cholesky, lower triangles
 };
 
 void FitTerms::reset(Index num_rows) {
@@ -367,8 +380,8 @@ Points FitSolver::displacement(const FitCoefficients& coefficients, const Contex
     const Index n = model_.num_vertices(), r = coefficients.kernel.rows(), p = coefficients.pca.size();
     Points u = model_.mean_displacement.rows() == n ? model_.mean_displacement : Points::Zero(n, 3);
     if (r > 0) {
-        Eigen::Matrix<float, Eigen::Dynamic, 3> moved(n, 3);
-        thin_multiply(model_.basis.map().leftCols(r), coefficients.kernel, moved, context);
+        dense::Field moved = dense::Field::Zero(n, 3);
+        dense::add_thin_product(context, model_.basis.map().leftCols(r), coefficients.kernel, moved);
         u += moved.cast<double>();
     }
     if (p > 0) {

@@ -56,11 +56,50 @@ TEST(Dense, SolvesPositiveDefiniteAndRefusesIndefinite) {
     const Matrix a = waves<double>(90, 30, 0.9);
     Matrix spd = a.transpose() * a + Matrix::Identity(30, 30);
     const Matrix truth = waves<double>(30, 3, 0.0);
-    Matrix x = spd * truth;
-    ASSERT_TRUE(dense::solve_spd(spd, x));
+    Matrix x = spd * truth, first = x.leftCols(1);
+    ASSERT_TRUE(dense::factor_spd(spd));
+    dense::solve_factored(spd, x);
     EXPECT_LT((x - truth).cwiseAbs().maxCoeff(), 1e-10);
-    Matrix indefinite = -Matrix::Identity(4, 4), b = Matrix::Ones(4, 1);
-    EXPECT_FALSE(dense::solve_spd(indefinite, b));
+    dense::solve_factored(spd, first);
+    EXPECT_LT((first - truth.leftCols(1)).cwiseAbs().maxCoeff(), 1e-10);
+    Matrix indefinite = -Matrix::Identity(4, 4);
+    EXPECT_FALSE(dense::factor_spd(indefinite));
+}
+
+// 1003 rows and 42 columns: neither a whole number of strips, of packets nor of column groups.
+TEST(Dense, ThinProductsAgreeWithPlainEigenOnBothInstructionSets) {
+    const Eigen::MatrixXf a = waves<float>(1003, 42, 0.3), x = waves<float>(42, 3, 0.7);
+    const dense::Field given = waves<float>(1003, 3, 0.5);
+    const dense::Field expanded = given + a * x;
+    const dense::Field changed = 2 * expanded;
+    const Eigen::MatrixXf projected = a.transpose() * changed;
+    for (const bool portable : {true, false}) {
+        dense::use_portable_loops(portable);
+        dense::Field field = given;
+        Eigen::MatrixXf out;
+        dense::add_thin_product({}, a, x, field);
+        EXPECT_LT((field - expanded).cwiseAbs().maxCoeff(), 1e-4);
+        field = given;
+        const auto twice = [&](Index first, Index count) { field.middleRows(first, count) *= 2; };
+        dense::expand_and_project({}, a, x, field, twice, out);
+        EXPECT_LT((field - changed).cwiseAbs().maxCoeff(), 1e-4);
+        EXPECT_LT((out - projected).cwiseAbs().maxCoeff(), 1e-2);
+        dense::project_thin({}, a, changed, out);
+        EXPECT_LT((out - projected).cwiseAbs().maxCoeff(), 1e-2);
+    }
+}
+
+TEST(Dense, ThinProductsHaveTheSameBitsForAnyThreadCount) {
+    const Eigen::MatrixXf a = waves<float>(5000, 60, 0.3), x = waves<float>(60, 3, 0.1);
+    ThreadPool pool(3);
+    Context context;
+    context.pool = &pool;
+    dense::Field one = dense::Field::Zero(5000, 3), many = one;
+    Eigen::MatrixXf projected_one, projected_many;
+    dense::expand_and_project({}, a, x, one, [](Index, Index) {}, projected_one);
+    dense::expand_and_project(context, a, x, many, [](Index, Index) {}, projected_many);
+    EXPECT_TRUE((one.array() == many.array()).all());
+    EXPECT_TRUE((projected_one.array() == projected_many.array()).all());
 }
 
 }  // namespace
