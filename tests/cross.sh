@@ -4,7 +4,7 @@
 # 64-bit ARM runs through qemu-user, Windows through wine; what is missing is installed by apt. Each archive
 # is unpacked into an empty folder and used as a stranger would: the first program in C does the main job on
 # the project's own demo data, a program of the first release runs, and every function is called with every
-# wrong argument. The neutral face must agree with this machine's own build to 0.001 mm (README, promises).
+# wrong argument. The neutral face must agree with this machine's own build to 0.001 mm (abi/README.md, promises).
 #   MIEN_NATIVE  a build of this machine with bin/mien and bin/mien-demo-data (default build/release)
 #   MIEN_WORK    keeps dependencies and objects for the next run (default build/cross)
 set -eu
