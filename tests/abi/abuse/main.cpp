@@ -3,6 +3,8 @@
 // progress callback ends it (for slow tools such as valgrind).
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,31 @@
 #endif
 
 #include "abuse.hpp"
+
+namespace {
+
+/// The files of one run lie apart from those of another one beside it, and go with it.
+class OwnFolder {
+  public:
+    OwnFolder() : before_(std::filesystem::current_path()) {
+        std::random_device chance;
+        folder_ = std::filesystem::temp_directory_path() / ("mien_abuse_" + std::to_string(chance()));
+        std::filesystem::create_directory(folder_);
+        std::filesystem::current_path(folder_);
+    }
+    ~OwnFolder() {
+        std::error_code ignored;
+        std::filesystem::current_path(before_, ignored);
+        std::filesystem::remove_all(folder_, ignored);
+    }
+    OwnFolder(const OwnFolder&) = delete;
+    OwnFolder& operator=(const OwnFolder&) = delete;
+
+  private:
+    std::filesystem::path before_, folder_;
+};
+
+}  // namespace
 
 int main(int argc, char** argv) {
     using namespace abuse;
@@ -32,6 +59,7 @@ int main(int argc, char** argv) {
     if (argc > 2) set_patience(std::atoi(argv[2]));
     std::string missing;
     {
+        const OwnFolder folder;
         Fixtures fixtures;
         for (const FunctionRow& row : functions())
             for (const ParameterRow& parameter : row.parameters)
