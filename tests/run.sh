@@ -1,6 +1,7 @@
 #!/bin/sh
 # Installs what is missing, builds everything and runs all tests: sh tests/run.sh
-# MIEN_TEST_SANITIZE=1 adds a second build with AddressSanitizer and UBSan.
+# What reads hostile input runs once more in a second build with AddressSanitizer and UBSan: MIEN_TEST_SANITIZE=0
+# leaves that out, MIEN_TEST_SANITIZE=long adds every function with every wrong argument (some minutes more).
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -10,9 +11,10 @@ cmake --preset release -DMIEN_WERROR=ON
 cmake --build --preset release
 ctest --preset release -j 2 --timeout 900
 
-if [ "${MIEN_TEST_SANITIZE:-0}" = 1 ]; then
-    # Whatever reads hostile input, once more under AddressSanitizer and UBSan.
+sanitize=${MIEN_TEST_SANITIZE:-short}
+if [ "$sanitize" != 0 ]; then
     cmake --preset asan -DMIEN_BUILD_CLI=OFF -DMIEN_BUILD_EXAMPLES=OFF
-    cmake --build --preset asan --target test_base test_mesh test_abi
-    ctest --preset asan -R '^(unit_base|unit_mesh|abi)$' --timeout 900
+    cmake --build --preset asan --target test_base test_mesh test_abi test_abi_abuse fuzz_files
+    ctest --preset asan -R '^(unit_base|unit_mesh|abi|fuzz_files)$' --timeout 900
+    [ "$sanitize" != long ] || build/asan/tests/abi/test_abi_abuse - 60000
 fi
