@@ -44,4 +44,5 @@ struct mien_series : mien::abi::Object {
     mien_series() : Object(kTag) {}
     std::shared_ptr<const mien::TriMesh> identity;
     std::vector<std::shared_ptr<const mien::TriMesh>> neutrals;
+    std::string json;
 };

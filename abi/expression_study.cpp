@@ -1,6 +1,7 @@
 // Shards and series: expression models over more than one machine, more than one scan.
 #include "arrays.hpp"
 #include "expression.hpp"
+#include "expression/neutralize_mesh.hpp"
 #include "expression/series.hpp"
 #include "expression/shards.hpp"
 #include "expression_options.hpp"
@@ -48,6 +49,19 @@ SeriesOptions read_series_options(const mien_series_options& given, Index num_ve
     return options;
 }
 
+/// The host's one list, cut into one per face.
+std::vector<Vector> read_series_weights(const mien_array_view& view, std::uint32_t face_count, Index num_vertices) {
+    if (view.count == 0) return {};
+    if (view.count != face_count * static_cast<std::uint64_t>(num_vertices))
+        fail(Status::mismatch, "options.weights holds %llu numbers, not one per vertex of %u faces of %lld vertices",
+             static_cast<unsigned long long>(view.count), face_count, static_cast<long long>(num_vertices));
+    const Vector all = read_values(view, "options.weights");
+    std::vector<Vector> weights;
+    for (std::uint32_t k = 0; k < face_count; ++k)
+        weights.push_back(all.segment(static_cast<Index>(k) * num_vertices, num_vertices));
+    return weights;
+}
+
 std::shared_ptr<const TriMesh> with_vertices(const TriMesh& mesh, const Points& vertices) {
     auto copy = std::make_shared<TriMesh>(mesh);
     copy->vertices = vertices;
@@ -77,9 +91,11 @@ mien_status MIEN_CALL mien_expression_shard_create(mien_session* session, const 
         auto dataset = std::make_shared<FaceDataset>(FaceDataset::open(
             checked_text(dataset_path, "dataset_path"), unverified(), call.context()));
         const std::vector<int> subjects = subjects_of_part(*dataset, given.part, given.part_count);
+        const std::vector<std::uint32_t> stable = read_vertices(
+            given.stable_vertices, given.stable_count, dataset->num_vertices(), "options.stable_vertices");
         ShardOptions settings;
         settings.max_rank = given.max_rank;
-        write_expression_shard(target, *dataset_columns(std::move(dataset), subjects), settings,
+        write_expression_shard(target, *dataset_columns(std::move(dataset), subjects, stable), settings,
                                call.context());
     });
 }
@@ -93,7 +109,7 @@ mien_status MIEN_CALL mien_expression_model_merge(mien_session* session, const c
         const TrainOptions settings = read_train_options(given);
         if (given.stable_count != 0)
             fail(Status::invalid_argument,
-                 "shards hold faces as they lie: align a study before it is cut into parts");
+                 "options.stable_vertices: the faces were aligned when the shards were made");
         const Call call(session, given.progress, given.progress_user, given.cancel);
         if (shard_count == 0) fail(Status::invalid_argument, "shard_count is 0");
         check_array(shard_paths, shard_count, alignof(const char*), 1000000, "shard_paths");
@@ -118,20 +134,20 @@ mien_status MIEN_CALL mien_neutralize_series(mien_session* session, const mien_e
                          MIEN_FIRST_SIZE(mien_series_options, cancel), "options");
         const Call call(session, given.progress, given.progress_user, given.cancel);
         const ExpressionModel& data = *checked(model, "model").model;
-        const SeriesOptions settings = read_series_options(given, data.num_vertices());
         if (face_count == 0) fail(Status::invalid_argument, "face_count is 0");
         check_array(faces, face_count, alignof(const mien_mesh*), 1000, "faces");
-        std::vector<SeriesScan> scans;
-        for (uint32_t k = 0; k < face_count; ++k) {
-            const TriMesh& mesh = *checked(faces[k], "a face").mesh;
-            check_topology(data, mesh.vertices.rows(), mesh.triangles);
-            scans.push_back({mesh.vertices, Vector()});
-        }
-        const SeriesResult result = neutralize_series(call.context(), data, scans, settings);
+        std::vector<std::shared_ptr<const TriMesh>> meshes;
+        for (uint32_t k = 0; k < face_count; ++k) meshes.push_back(checked(faces[k], "a face").mesh);
+        const Index num_vertices = meshes[0]->vertices.rows();
+        const SeriesOptions settings = read_series_options(given, num_vertices);
+        const SeriesResult result =
+            neutralize_series_meshes(call.context(), data, meshes,
+                                     read_series_weights(given.weights, face_count, num_vertices), settings);
         auto series = std::make_unique<mien_series>();
         series->identity = with_vertices(*faces[0]->mesh, result.identity_vertices);
         for (uint32_t k = 0; k < face_count; ++k)
             series->neutrals.push_back(with_vertices(*faces[k]->mesh, result.neutral_vertices[k]));
+        series->json = series_json(data, result);
         return series.release();
     });
 }
@@ -144,6 +160,14 @@ mien_status MIEN_CALL mien_series_get_mesh(const mien_series* series, int32_t in
             fail(Status::not_found, "face %d of a series of %zu", index, data.neutrals.size());
         return new mien_mesh(index == -1 ? data.identity
                                          : data.neutrals[static_cast<std::size_t>(index)]);
+    });
+}
+
+mien_status MIEN_CALL mien_series_get_json(const mien_series* series, char* dst, uint64_t capacity,
+                                           uint64_t* count, mien_error* error) {
+    return guarded(error, [&] {
+        const std::string& json = checked(series, "series").json;
+        copy_text(json.data(), json.size(), dst, capacity, count);
     });
 }
 

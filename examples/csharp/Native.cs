@@ -77,8 +77,6 @@ namespace Mien.Native
         internal const int MIEN_REGISTRATION_RADIUS95_MM = 4;
         internal const int MIEN_TRANSFER_LANDMARKS = 1;
         internal const int MIEN_TRANSFER_ZONES = 2;
-        internal const int MIEN_TRAIN_JPCA = 0;
-        internal const int MIEN_TRAIN_QOJPCA = 1;
         internal const int MIEN_FIT_MIXTURE = 0;
         internal const int MIEN_FIT_MAP = 1;
         internal const int MIEN_FIT_EXACT = 2;
@@ -116,6 +114,8 @@ namespace Mien.Native
         internal const int MIEN_FEATURES_DEFORMATION_STANDARDISED = 6;
         internal const int MIEN_MAP_DOWN = 1;
         internal const int MIEN_MAP_UP = 2;
+        internal const int MIEN_TRAIN_JPCA = 0;
+        internal const int MIEN_TRAIN_QOJPCA = 1;
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -302,26 +302,6 @@ namespace Mien.Native
     }
 
     [StructLayout(LayoutKind.Sequential)]
-    internal unsafe struct TrainOptions
-    {
-        public uint structSize;
-        public int method;
-        public int identityModes;
-        public int expressionModes;
-        public int maxIterations;
-        public int passes;
-        public double lambda;
-        public double lambdaFactor;
-        public double angleToleranceRad;
-        public double noiseMm2;
-        public IntPtr stableVertices;
-        public ulong stableCount;
-        public IntPtr progress;
-        public IntPtr progressUser;
-        public IntPtr cancel;
-    }
-
-    [StructLayout(LayoutKind.Sequential)]
     internal unsafe struct NeutralizeOptions
     {
         public uint structSize;
@@ -334,35 +314,6 @@ namespace Mien.Native
         public double noiseMm2;
         public double decayMm;
         public ArrayView weights;
-        public IntPtr progress;
-        public IntPtr progressUser;
-        public IntPtr cancel;
-    }
-
-    [StructLayout(LayoutKind.Sequential)]
-    internal unsafe struct ShardOptions
-    {
-        public uint structSize;
-        public int part;
-        public int partCount;
-        public int maxRank;
-        public IntPtr progress;
-        public IntPtr progressUser;
-        public IntPtr cancel;
-    }
-
-    [StructLayout(LayoutKind.Sequential)]
-    internal unsafe struct SeriesOptions
-    {
-        public uint structSize;
-        public int method;
-        public int pose;
-        public uint reserved;
-        public double scanNoiseShare;
-        public double noiseMm2;
-        public IntPtr changingVertices;
-        public ulong changingCount;
-        public double expectedChangeMm;
         public IntPtr progress;
         public IntPtr progressUser;
         public IntPtr cancel;
@@ -488,6 +439,24 @@ namespace Mien.Native
     }
 
     [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct SeriesOptions
+    {
+        public uint structSize;
+        public int method;
+        public int pose;
+        public uint reserved;
+        public double scanNoiseShare;
+        public double noiseMm2;
+        public IntPtr changingVertices;
+        public ulong changingCount;
+        public double expectedChangeMm;
+        public IntPtr progress;
+        public IntPtr progressUser;
+        public IntPtr cancel;
+        public ArrayView weights;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     internal unsafe struct SpectralBasisOptions
     {
         public uint structSize;
@@ -519,6 +488,40 @@ namespace Mien.Native
         public double fmpd;
         public int onFront;
         public int chosen;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct TrainOptions
+    {
+        public uint structSize;
+        public int method;
+        public int identityModes;
+        public int expressionModes;
+        public int maxIterations;
+        public int passes;
+        public double lambda;
+        public double lambdaFactor;
+        public double angleToleranceRad;
+        public double noiseMm2;
+        public IntPtr stableVertices;
+        public ulong stableCount;
+        public IntPtr progress;
+        public IntPtr progressUser;
+        public IntPtr cancel;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct ShardOptions
+    {
+        public uint structSize;
+        public int part;
+        public int partCount;
+        public int maxRank;
+        public IntPtr progress;
+        public IntPtr progressUser;
+        public IntPtr cancel;
+        public IntPtr stableVertices;
+        public ulong stableCount;
     }
 
     internal sealed class SessionHandle : Handle
@@ -571,11 +574,6 @@ namespace Mien.Native
         protected override bool ReleaseHandle() { Functions.mien_evaluation_release(handle); return true; }
     }
 
-    internal sealed class SeriesHandle : Handle
-    {
-        protected override bool ReleaseHandle() { Functions.mien_series_release(handle); return true; }
-    }
-
     internal sealed class MeasurementHandle : Handle
     {
         protected override bool ReleaseHandle() { Functions.mien_measurement_release(handle); return true; }
@@ -584,6 +582,11 @@ namespace Mien.Native
     internal sealed class ScoreModelHandle : Handle
     {
         protected override bool ReleaseHandle() { Functions.mien_score_model_release(handle); return true; }
+    }
+
+    internal sealed class SeriesHandle : Handle
+    {
+        protected override bool ReleaseHandle() { Functions.mien_series_release(handle); return true; }
     }
 
     internal sealed class SpectralBasisHandle : Handle
@@ -1068,62 +1071,6 @@ namespace Mien.Native
 
 #if NET7_0_OR_GREATER
         [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_train_options_init(ref TrainOptions options, UIntPtr struct_size);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_train_options_init(ref TrainOptions options, UIntPtr struct_size);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_neutralize_options_init(ref NeutralizeOptions options, UIntPtr struct_size);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_neutralize_options_init(ref NeutralizeOptions options, UIntPtr struct_size);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_evaluate_options_init(ref EvaluateOptions options, UIntPtr struct_size);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_evaluate_options_init(ref EvaluateOptions options, UIntPtr struct_size);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_expression_model_train(SessionHandle session, byte[] dataset_path, ref TrainOptions options, out ExpressionModelHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_expression_model_train(SessionHandle session, byte[] dataset_path, ref TrainOptions options, out ExpressionModelHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_shard_options_init(ref ShardOptions options, UIntPtr struct_size);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_shard_options_init(ref ShardOptions options, UIntPtr struct_size);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_expression_shard_create(SessionHandle session, byte[] dataset_path, ref ShardOptions options, byte[] shard_path, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_expression_shard_create(SessionHandle session, byte[] dataset_path, ref ShardOptions options, byte[] shard_path, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_expression_model_merge(SessionHandle session, IntPtr[] shard_paths, uint shard_count, ref TrainOptions options, out ExpressionModelHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_expression_model_merge(SessionHandle session, IntPtr[] shard_paths, uint shard_count, ref TrainOptions options, out ExpressionModelHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial int mien_expression_model_load(SessionHandle session, byte[] path, out ExpressionModelHandle @out, ref Error error);
 #else
         [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
@@ -1196,6 +1143,14 @@ namespace Mien.Native
 
 #if NET7_0_OR_GREATER
         [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_neutralize_options_init(ref NeutralizeOptions options, UIntPtr struct_size);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_neutralize_options_init(ref NeutralizeOptions options, UIntPtr struct_size);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial int mien_neutralize(SessionHandle session, ExpressionModelHandle model, RegistrationHandle fitted, ref NeutralizeOptions options, out NeutralizationHandle @out, ref Error error);
 #else
         [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
@@ -1208,78 +1163,6 @@ namespace Mien.Native
 #else
         [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int mien_neutralize_mesh(SessionHandle session, ExpressionModelHandle model, MeshHandle face, ref NeutralizeOptions options, out NeutralizationHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_series_options_init(ref SeriesOptions options, UIntPtr struct_size);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_series_options_init(ref SeriesOptions options, UIntPtr struct_size);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_neutralize_series(SessionHandle session, ExpressionModelHandle model, out MeshHandle faces, uint face_count, ref SeriesOptions options, out SeriesHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_neutralize_series(SessionHandle session, ExpressionModelHandle model, out MeshHandle faces, uint face_count, ref SeriesOptions options, out SeriesHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_series_get_mesh(SeriesHandle series, int index, out MeshHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_series_get_mesh(SeriesHandle series, int index, out MeshHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_series_release(IntPtr series);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_series_release(IntPtr series);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_neutralization_apply_to_scan(SessionHandle session, NeutralizationHandle neutralization, MeshHandle scan, double max_distance_mm, out MeshHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_neutralization_apply_to_scan(SessionHandle session, NeutralizationHandle neutralization, MeshHandle scan, double max_distance_mm, out MeshHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_expression_model_transfer(SessionHandle session, ExpressionModelHandle model, NeutralizationHandle source, NeutralizationHandle target, out MeshHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_expression_model_transfer(SessionHandle session, ExpressionModelHandle model, NeutralizationHandle source, NeutralizationHandle target, out MeshHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_evaluate_neutralization(SessionHandle session, ExpressionModelHandle model, byte[] dataset_path, ref EvaluateOptions options, out EvaluationHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_evaluate_neutralization(SessionHandle session, ExpressionModelHandle model, byte[] dataset_path, ref EvaluateOptions options, out EvaluationHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_evaluation_get_json(EvaluationHandle evaluation, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_evaluation_get_json(EvaluationHandle evaluation, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_evaluation_release(IntPtr evaluation);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_evaluation_release(IntPtr evaluation);
 #endif
 
 #if NET7_0_OR_GREATER
@@ -1320,6 +1203,54 @@ namespace Mien.Native
 #else
         [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_neutralization_release(IntPtr neutralization);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_neutralization_apply_to_scan(SessionHandle session, NeutralizationHandle neutralization, MeshHandle scan, double max_distance_mm, out MeshHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_neutralization_apply_to_scan(SessionHandle session, NeutralizationHandle neutralization, MeshHandle scan, double max_distance_mm, out MeshHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_expression_model_transfer(SessionHandle session, ExpressionModelHandle model, NeutralizationHandle source, NeutralizationHandle target, out MeshHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_expression_model_transfer(SessionHandle session, ExpressionModelHandle model, NeutralizationHandle source, NeutralizationHandle target, out MeshHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_evaluate_options_init(ref EvaluateOptions options, UIntPtr struct_size);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_evaluate_options_init(ref EvaluateOptions options, UIntPtr struct_size);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_evaluate_neutralization(SessionHandle session, ExpressionModelHandle model, byte[] dataset_path, ref EvaluateOptions options, out EvaluationHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_evaluate_neutralization(SessionHandle session, ExpressionModelHandle model, byte[] dataset_path, ref EvaluateOptions options, out EvaluationHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_evaluation_get_json(EvaluationHandle evaluation, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_evaluation_get_json(EvaluationHandle evaluation, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_evaluation_release(IntPtr evaluation);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_evaluation_release(IntPtr evaluation);
 #endif
 
 #if NET7_0_OR_GREATER
@@ -1536,6 +1467,46 @@ namespace Mien.Native
 #else
         [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int mien_statistics_bland_altman(SessionHandle session, IntPtr first, IntPtr second, ulong value_count, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_series_options_init(ref SeriesOptions options, UIntPtr struct_size);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_series_options_init(ref SeriesOptions options, UIntPtr struct_size);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_neutralize_series(SessionHandle session, ExpressionModelHandle model, out MeshHandle faces, uint face_count, ref SeriesOptions options, out SeriesHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_neutralize_series(SessionHandle session, ExpressionModelHandle model, out MeshHandle faces, uint face_count, ref SeriesOptions options, out SeriesHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_series_get_mesh(SeriesHandle series, int index, out MeshHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_series_get_mesh(SeriesHandle series, int index, out MeshHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_series_get_json(SeriesHandle series, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_series_get_json(SeriesHandle series, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_series_release(IntPtr series);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_series_release(IntPtr series);
 #endif
 
 #if NET7_0_OR_GREATER
@@ -1856,6 +1827,46 @@ namespace Mien.Native
 #else
         [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_blendshape_model_release(IntPtr model);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_train_options_init(ref TrainOptions options, UIntPtr struct_size);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_train_options_init(ref TrainOptions options, UIntPtr struct_size);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_expression_model_train(SessionHandle session, byte[] dataset_path, ref TrainOptions options, out ExpressionModelHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_expression_model_train(SessionHandle session, byte[] dataset_path, ref TrainOptions options, out ExpressionModelHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_shard_options_init(ref ShardOptions options, UIntPtr struct_size);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_shard_options_init(ref ShardOptions options, UIntPtr struct_size);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_expression_shard_create(SessionHandle session, byte[] dataset_path, ref ShardOptions options, byte[] shard_path, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_expression_shard_create(SessionHandle session, byte[] dataset_path, ref ShardOptions options, byte[] shard_path, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_expression_model_merge(SessionHandle session, IntPtr[] shard_paths, uint shard_count, ref TrainOptions options, out ExpressionModelHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_expression_model_merge(SessionHandle session, IntPtr[] shard_paths, uint shard_count, ref TrainOptions options, out ExpressionModelHandle @out, ref Error error);
 #endif
     }
 }

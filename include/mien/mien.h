@@ -8,13 +8,17 @@
 #include "config.h"
 #include "dataset.h"
 #include "error.h"
+#include "evaluation.h"
 #include "expression.h"
 #include "measure.h"
 #include "mesh.h"
 #include "model.h"
+#include "neutralization.h"
 #include "registration.h"
 #include "score.h"
+#include "series.h"
 #include "session.h"
 #include "spectral.h"
+#include "training.h"
 
 #endif

@@ -40,12 +40,18 @@ std::vector<std::pair<std::string, std::uint32_t>> read_landmark_vertices(const 
 /// Zone files {"zones": {name: [vertex, ...]}}.
 std::vector<std::pair<std::string, std::vector<std::uint32_t>>> read_zones(const std::string& path);
 
+/// Vertices of some zones of a zone file, together; `names` are separated by commas.
+std::vector<std::uint32_t> zone_vertices(const std::string& path, const std::string& names);
+/// A zone file is made for the whole template; a model may cover its first vertices only.
+void keep_below(std::vector<std::uint32_t>& vertices, std::uint64_t count);
+
 /// A progress bar on stderr when it is a terminal, else silent.
 Progress progress_bar();
 
 // One function per file of commands; main.cpp calls them all.
 void add_model_commands(CLI::App& app);
 void add_registration_commands(CLI::App& app);
+void add_training_commands(CLI::App& app);
 void add_expression_commands(CLI::App& app);
 void add_measure_commands(CLI::App& app);
 void add_score_commands(CLI::App& app);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
@@ -128,6 +129,29 @@ Progress progress_bar() {
         std::fflush(stderr);
         return true;
     };
+}
+
+std::vector<std::uint32_t> zone_vertices(const std::string& path, const std::string& names) {
+    std::vector<std::uint32_t> vertices;
+    if (names.empty()) return vertices;
+    if (path.empty()) throw std::runtime_error("zone names need a zone file: give --zones");
+    const auto zones = read_zones(path);
+    for (std::size_t begin = 0; begin <= names.size();) {
+        const std::size_t end = std::min(names.find(',', begin), names.size());
+        const std::string name = names.substr(begin, end - begin);
+        const auto zone = std::find_if(zones.begin(), zones.end(),
+                                       [&](const auto& entry) { return entry.first == name; });
+        if (zone == zones.end()) throw std::runtime_error(path + ": has no zone '" + name + "'");
+        vertices.insert(vertices.end(), zone->second.begin(), zone->second.end());
+        begin = end + 1;
+    }
+    return vertices;
+}
+
+void keep_below(std::vector<std::uint32_t>& vertices, std::uint64_t count) {
+    vertices.erase(std::remove_if(vertices.begin(), vertices.end(),
+                                  [count](std::uint32_t vertex) { return vertex >= count; }),
+                   vertices.end());
 }
 
 }  // namespace mien::cli

@@ -1,4 +1,4 @@
-// mien train, mien neutralize, mien evaluate neutralization: expressions off a face.
+// mien neutralize, mien evaluate neutralization: expressions off a face.
 #include <algorithm>
 #include <cstdio>
 
@@ -27,111 +27,11 @@ CLI::IsMember one_of(const std::vector<std::pair<std::string, int>>& names) {
     return CLI::IsMember(known);
 }
 
-/// Vertices of some zones of a zone file, together; `names` are separated by commas.
-std::vector<std::uint32_t> zone_vertices(const std::string& path, const std::string& names) {
-    std::vector<std::uint32_t> vertices;
-    if (names.empty()) return vertices;
-    if (path.empty()) throw std::runtime_error("zone names need a zone file: give --zones");
-    const auto zones = read_zones(path);
-    for (std::size_t begin = 0; begin <= names.size();) {
-        const std::size_t end = std::min(names.find(',', begin), names.size());
-        const std::string name = names.substr(begin, end - begin);
-        const auto zone = std::find_if(zones.begin(), zones.end(),
-                                       [&](const auto& entry) { return entry.first == name; });
-        if (zone == zones.end()) throw std::runtime_error(path + ": has no zone '" + name + "'");
-        vertices.insert(vertices.end(), zone->second.begin(), zone->second.end());
-        begin = end + 1;
-    }
-    return vertices;
-}
-
-/// A zone file is made for the whole template; a model may cover its first vertices only.
-void keep_below(std::vector<std::uint32_t>& vertices, std::uint64_t count) {
-    vertices.erase(std::remove_if(vertices.begin(), vertices.end(),
-                                  [count](std::uint32_t vertex) { return vertex >= count; }),
-                   vertices.end());
-}
-
-struct TrainSettings {
-    Common common;
-    std::string data, out, method = "jpca", lambda = "auto", zones, stable;
-    std::string part, shard_out;
-    std::vector<std::string> merge;
-    int identity_modes = 50, expression_modes = 50, shard_rank = 512;
-};
-
-/// "K/N", K from 1 to N.
-std::pair<int, int> part_of(const std::string& text) {
-    int part = 0, count = 0, used = 0;
-    if (std::sscanf(text.c_str(), "%d/%d%n", &part, &count, &used) != 2 ||
-        used != static_cast<int>(text.size()) || part < 1 || part > count)
-        throw std::runtime_error("--part takes K/N with K from 1 to N, not '" + text + "'");
-    return {part - 1, count};
-}
-
-void run_shard(const TrainSettings& settings) {
-    if (settings.shard_out.empty()) throw CLI::RequiredError("--shard-out");
-    const auto [part, count] = part_of(settings.part);
-    const Session session(settings.common.num_threads);
-    ExpressionModel::write_shard(session, settings.data, part, count, settings.shard_out,
-                                 settings.shard_rank, progress_bar());
-    std::printf("%s: part %d of %d\n", settings.shard_out.c_str(), part + 1, count);
-    write_report(settings.common,
-                 {{"data", settings.data}, {"shard", settings.shard_out}, {"part", part + 1}, {"parts", count}});
-}
-
-void run_train(const TrainSettings& settings) {
-    if (settings.data.empty() == settings.merge.empty())
-        throw CLI::RequiredError("either --data or --merge");
-    if (!settings.part.empty()) return run_shard(settings);
-    if (settings.out.empty()) throw CLI::RequiredError("--out");
-    const Session session(settings.common.num_threads);
-    TrainOptions options;
-    options.method = settings.method == "qojpca" ? MIEN_TRAIN_QOJPCA : MIEN_TRAIN_JPCA;
-    options.identity_modes = settings.identity_modes;
-    options.expression_modes = settings.expression_modes;
-    if (settings.lambda != "auto") {
-        std::size_t used = 0;
-        try {
-            options.lambda = std::stod(settings.lambda, &used);
-        } catch (const std::exception&) {
-            used = 0;
-        }
-        if (used != settings.lambda.size() || !(options.lambda > 0))
-            throw std::runtime_error("--lambda takes 'auto' or a positive number, not '" +
-                                     settings.lambda + "'");
-    }
-    const std::vector<std::uint32_t> stable = zone_vertices(settings.zones, settings.stable);
-    options.stable_vertices = stable.data();
-    options.stable_count = stable.size();
-    const ExpressionModel model =
-        settings.merge.empty()
-            ? ExpressionModel::train(session, settings.data, options, progress_bar())
-            : ExpressionModel::merge(session, settings.merge, options, progress_bar());
-    model.save(session, settings.out);
-    nlohmann::json report = nlohmann::json::parse(model.json());
-    std::printf("%s: %d subjects, %d faces, %u identity and %u expression modes\n",
-                settings.out.c_str(), report["subjects"].get<int>(), report["faces"].get<int>(),
-                model.identity_modes(), model.expression_modes());
-    if (report["skipped_faces"].get<int>() != 0)
-        std::printf("%d faces left out: their subjects have no neutral face\n",
-                    report["skipped_faces"].get<int>());
-    if (settings.method == "qojpca")
-        std::printf("lambda %.4g, %d iterations%s\n", report["lambda"].get<double>(),
-                    report["iterations"].get<int>(),
-                    report["converged"].get<bool>() ? "" : " (not converged)");
-    if (settings.merge.empty())
-        report["data"] = settings.data;
-    else
-        report["shards"] = settings.merge;
-    report["model"] = settings.out;
-    write_report(settings.common, report);
-}
-
 struct NeutralizeSettings {
     Common common;
     std::string model, in, out, fit = "mixture", pose = "auto", scan, scan_out, uncertainty_out, identity_out, weights;
-    std::vector<std::string> with;
+    std::string zones, changing;
+    std::vector<std::string> with, with_weights, with_out;
     int sweeps = 200;
     double max_distance = 0;
 };
@@ -149,7 +49,7 @@ std::vector<double> read_weights(const std::string& path) {
     return weights;
 }
 
-/// Several scans of one person: the neutral face of the first, and the shared one.
+/// Several scans of one person: a neutral face of each, and the shared one.
 void run_series(const NeutralizeSettings& settings) {
     if (!settings.scan.empty() || !settings.uncertainty_out.empty())
         throw std::runtime_error("--scan and --uncertainty-out do not go with --with");
@@ -160,15 +60,47 @@ void run_series(const NeutralizeSettings& settings) {
     SeriesOptions options;
     options.method = number_of(kFits, settings.fit);
     options.pose = number_of(kPoses, settings.pose);
+    const std::vector<std::uint32_t> changing = zone_vertices(settings.zones, settings.changing);
+    options.changing_vertices = changing.data();
+    options.changing_count = changing.size();
+    std::vector<double> weights;
+    if (!settings.weights.empty() || !settings.with_weights.empty()) {
+        if (settings.weights.empty() || settings.with_weights.size() != settings.with.size())
+            throw std::runtime_error("in a series every face has weights or none: give --weights, and --with-weights "
+                                     "for each face of --with");
+        weights = read_weights(settings.weights);
+        for (const std::string& path : settings.with_weights) {
+            const std::vector<double> more = read_weights(path);
+            weights.insert(weights.end(), more.begin(), more.end());
+        }
+        options.set_weights(weights);
+    }
     const Series series(session, model, faces, options, progress_bar());
     series.neutral(0).save(session, settings.out);
+    for (std::size_t k = 0; k < settings.with_out.size(); ++k)
+        series.neutral(static_cast<std::int32_t>(k + 1)).save(session, settings.with_out[k]);
     if (!settings.identity_out.empty()) series.identity().save(session, settings.identity_out);
-    std::printf("%zu faces of one person\n", faces.size());
-    write_report(settings.common, {{"in", settings.in}, {"with", settings.with}, {"out", settings.out}});
+    nlohmann::json report = nlohmann::json::parse(series.json());
+    for (std::size_t k = 0; k < faces.size(); ++k) {
+        const nlohmann::json& face = report["faces"][k];
+        const std::string& path = k == 0 ? settings.in : settings.with[k - 1];
+        std::printf("%s: %s, %.3f mm from the shared face\n", path.c_str(), face.value("expression", "fitted").c_str(),
+                    face["distance_to_shared_mm"].get<double>());
+        for (const nlohmann::json& warning : face["warnings"])
+            std::printf("note: %s: %s\n", path.c_str(), warning.get<std::string>().c_str());
+    }
+    report["in"] = settings.in;
+    report["with"] = settings.with;
+    report["out"] = settings.out;
+    write_report(settings.common, report);
 }
 
 void run_neutralize(const NeutralizeSettings& settings) {
+    if (settings.with_out.size() > settings.with.size())
+        throw std::runtime_error("--with-out names more files than --with has faces");
     if (!settings.with.empty()) return run_series(settings);
+    if (!settings.changing.empty() || !settings.with_weights.empty() || !settings.identity_out.empty())
+        throw std::runtime_error("--changing, --with-weights and --identity-out go with --with");
     if (settings.scan.empty() != settings.scan_out.empty())
         throw CLI::RequiredError("--scan and --scan-out together");
     const Session session(settings.common.num_threads);
@@ -288,36 +220,6 @@ void run_evaluate(const EvaluateSettings& settings) {
     write_report(settings.common, report);
 }
 
-void add_train(CLI::App& app) {
-    auto settings = std::make_shared<TrainSettings>();
-    CLI::App* train = app.add_subcommand("train", "learn an expression model from a study's faces");
-    train->add_option("--data", settings->data, "dataset (safetensors)")->check(CLI::ExistingFile);
-    train->add_option("--merge", settings->merge, "train from shards instead")->check(CLI::ExistingFile);
-    train->add_option("--part", settings->part, "K/N: write the shard of part K of the data only");
-    train->add_option("--shard-out", settings->shard_out, "with --part: the shard file");
-    train->add_option("--shard-rank", settings->shard_rank, "directions that a shard keeps")
-        ->check(CLI::Range(1, 100000))
-        ->capture_default_str();
-    train->add_option("--method", settings->method, "how the subspaces are found")
-        ->check(CLI::IsMember({"jpca", "qojpca"}))
-        ->capture_default_str();
-    train->add_option("--identity-modes", settings->identity_modes)
-        ->check(CLI::Range(1, 4000))
-        ->capture_default_str();
-    train->add_option("--expression-modes", settings->expression_modes)
-        ->check(CLI::Range(1, 4000))
-        ->capture_default_str();
-    train->add_option("--lambda", settings->lambda, "qojpca: weight of orthogonality, or auto")
-        ->capture_default_str();
-    train->add_option("--zones", settings->zones, "zone file, for --stable")->check(CLI::ExistingFile);
-    train->add_option("--stable", settings->stable,
-                      "zones (comma between) that every face is aligned on, for faces with posture");
-    train->add_option("--out", settings->out, "model file");
-    add_common_options(*train, settings->common);
-    train->footer("Example: mien train --data faces.safetensors --method jpca --out expr.safetensors");
-    train->callback([settings] { run_train(*settings); });
-}
-
 void add_neutralize(CLI::App& app) {
     auto settings = std::make_shared<NeutralizeSettings>();
     CLI::App* neutralize = app.add_subcommand("neutralize", "take the expression off a fitted face");
@@ -347,6 +249,12 @@ void add_neutralize(CLI::App& app) {
                            "scan vertices farther from the face move with their neighbourhood, mm");
     neutralize->add_option("--with", settings->with, "more faces of the same person: one identity for all")
         ->check(CLI::ExistingFile);
+    neutralize->add_option("--with-weights", settings->with_weights, "weights of these faces, in their order")
+        ->check(CLI::ExistingFile);
+    neutralize->add_option("--with-out", settings->with_out, "neutral faces of these faces, in their order");
+    neutralize->add_option("--zones", settings->zones, "zone file, for --changing")->check(CLI::ExistingFile);
+    neutralize->add_option("--changing", settings->changing,
+                           "zones (comma between) where the person may change between the faces: a treated zone");
     neutralize->add_option("--identity-out", settings->identity_out,
                            "with --with: the person's shared neutral face");
     neutralize->add_option("--uncertainty-out", settings->uncertainty_out,
@@ -393,7 +301,6 @@ void add_evaluate(CLI::App& app) {
 }  // namespace
 
 void add_expression_commands(CLI::App& app) {
-    add_train(app);
     add_neutralize(app);
     add_evaluate(app);
 }

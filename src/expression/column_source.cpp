@@ -25,12 +25,15 @@ class DatasetColumns final : public ColumnSource {
         expression_names = dataset_->expression_names();
 
         std::map<int, std::vector<Index>> neutrals_of;
+        std::map<int, Index> first_neutral_of;  // of every subject
         auto kept = [&](int subject) {
             return keep.empty() || std::find(keep.begin(), keep.end(), subject) != keep.end();
         };
         for (Index face = 0; face < dataset_->num_faces(); ++face)
-            if (dataset_->expression(face) == neutral && kept(dataset_->subject(face)))
-                neutrals_of[dataset_->subject(face)].push_back(face);
+            if (dataset_->expression(face) == neutral) {
+                first_neutral_of.emplace(dataset_->subject(face), face);
+                if (kept(dataset_->subject(face))) neutrals_of[dataset_->subject(face)].push_back(face);
+            }
         std::map<int, std::size_t> place;
         for (auto& [subject, faces] : neutrals_of) {
             place[subject] = neutral_faces_.size();
@@ -55,7 +58,7 @@ class DatasetColumns final : public ColumnSource {
                  "training needs at least 2 subjects with a neutral face and one other expression; "
                  "there are %zu subjects and %zu usable faces",
                  neutral_faces_.size(), displacement_face_.size());
-        if (!stable.empty()) find_reference(stable);
+        if (!stable.empty()) find_reference(stable, first_neutral_of);
     }
 
     void neutrals(Index begin, Eigen::Ref<Matrix> block) const override {
@@ -95,8 +98,8 @@ class DatasetColumns final : public ColumnSource {
         Points points;
         dataset_->face(face, points);
         dataset_->release_face(face);
-        if (reference_.rows() != 0)
-            points = align_points(stable_rows(points), reference_, Vector(), false)
+        if (stable_reference.rows() != 0)
+            points = align_points(stable_rows(points), stable_reference, Vector(), false)
                          .apply(PointsRef(points));
         out = Eigen::Map<const Vector>(points.data(), points.size());
         if (!out.allFinite())
@@ -113,30 +116,34 @@ class DatasetColumns final : public ColumnSource {
     }
 
     /// Mean stable zone of the neutral faces: aligned to the first, averaged, and once again.
-    void find_reference(const std::vector<std::uint32_t>& stable) {
+    void find_reference(const std::vector<std::uint32_t>& stable, const std::map<int, Index>& faces) {
         for (std::size_t k = 0; k < stable.size(); ++k)
             if (stable[k] >= static_cast<std::uint64_t>(num_vertices))
                 fail_at(Status::invalid_argument, static_cast<std::int64_t>(k),
                         "the stable zone names vertex %u of %lld", stable[k],
                         static_cast<long long>(num_vertices));
         stable_vertices = stable;
+        std::vector<Points> zones;
         Points points;
-        dataset_->face(neutral_faces_[0][0], points);
-        Points reference = stable_rows(points);
+        for (const auto& [subject, face] : faces) {
+            dataset_->face(face, points);
+            dataset_->release_face(face);
+            zones.push_back(stable_rows(points));
+            if (!zones.back().allFinite())
+                fail_at(Status::corrupt, static_cast<std::int64_t>(face),
+                        "face %lld of the data set holds a value that is not finite", static_cast<long long>(face));
+        }
+        Points reference = zones[0];
         for (int round = 0; round < 2; ++round) {
             Points sum = Points::Zero(reference.rows(), 3);
-            for (const std::vector<Index>& faces : neutral_faces_) {
-                dataset_->face(faces[0], points);
-                const Points rows = stable_rows(points);
+            for (const Points& rows : zones)
                 sum += align_points(rows, reference, Vector(), false).apply(PointsRef(rows));
-            }
-            reference = sum / static_cast<double>(neutral_faces_.size());
+            reference = sum / static_cast<double>(zones.size());
         }
-        reference_ = reference;
+        stable_reference = reference;
     }
 
     std::shared_ptr<const FaceDataset> dataset_;
-    Points reference_;  ///< stable zone that faces are aligned to; empty: faces as they are
     std::vector<std::vector<Index>> neutral_faces_;
     std::vector<Index> displacement_face_;
     std::vector<std::size_t> displacement_neutral_;

@@ -83,6 +83,7 @@ void finish_expression_model(ExpressionModel& model) {
 
     auto plan = std::make_shared<FitPlan>();
     const Matrix gram = model.spill.pull_gram(model.gram);
+    plan->expression_gram = gram.bottomRightCorner(q, q);
     const Vector variances = model.expression_deviations.array().square();
     plan->map = plan_part(model, gram, model.map_noise_mm2,
                           variances.cwiseInverse().asDiagonal(), Vector::Zero(q), 0.0);

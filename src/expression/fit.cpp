@@ -230,7 +230,7 @@ FitResult fit_face(const ExpressionModel& model, const FaceEvidence& evidence,
         const Vector coordinates = solve_part(part, projection, noise).coordinates;
         result.identity = coordinates.head(p);
         result.expression = coordinates.tail(q);
-        result.expression_covariance = noise * part.solve.bottomRightCorner(q, q);
+        result.covariance = noise * part.solve;
         return result;
     }
 
@@ -241,7 +241,7 @@ FitResult fit_face(const ExpressionModel& model, const FaceEvidence& evidence,
     for (std::size_t k = 0; k < count; ++k) {
         const FitPlan::Part& part = part_of(k);
         solutions[k] = solve_part(part, projection, noise);
-        if (!planned) covariances[k] = part.solve.bottomRightCorner(q, q);
+        if (!planned) covariances[k] = part.solve;
         best = std::max(best, solutions[k].log_evidence);
     }
     if (!std::isfinite(best))
@@ -259,17 +259,13 @@ FitResult fit_face(const ExpressionModel& model, const FaceEvidence& evidence,
     }
     result.identity = mean.head(p);
     result.expression = mean.tail(q);
-    result.expression_covariance = Matrix::Zero(q, q);
+    result.covariance = Matrix::Zero(p + q, p + q);
     for (std::size_t k = 0; k < count; ++k) {
         const double weight = result.component_probabilities[k];
         if (weight < 1e-9) continue;  // far below what a double sum of the others would show
-        const Vector apart = solutions[k].coordinates.tail(q) - result.expression;
-        if (planned)
-            result.expression_covariance +=
-                weight * noise * model.plan->components[k].solve.bottomRightCorner(q, q);
-        else
-            result.expression_covariance += weight * noise * covariances[k];
-        result.expression_covariance += weight * apart * apart.transpose();
+        const Vector apart = solutions[k].coordinates - mean;
+        result.covariance += weight * noise * (planned ? model.plan->components[k].solve : covariances[k]);
+        result.covariance += weight * apart * apart.transpose();
     }
     return result;
 }

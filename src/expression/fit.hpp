@@ -32,7 +32,7 @@ struct FitOptions {
 struct FitResult {
     Vector identity;                ///< p, a
     Vector expression;              ///< q, b
-    Matrix expression_covariance;   ///< q x q, posterior; empty for exact and alternating
+    Matrix covariance;              ///< (p+q)^2, posterior of (a, b), mm^2; empty for exact and alternating
     std::vector<double> component_probabilities;  ///< of model.components; mixture only
     int sweeps = 0;                 ///< alternating
     bool converged = true;          ///< alternating: the stop rule was met
@@ -53,7 +53,7 @@ struct FitPlan {
         Vector mean;             ///< p+q, zeros and the component's mean
         Vector gram_mean;        ///< G m_k
     };
-    Matrix exact_factor;         ///< lower Cholesky factor of G, for `exact`
+    Matrix expression_gram;      ///< q x q, E'E of what the expression coordinates move, E = Q + P T
     Part map;
     std::vector<Part> components;
 };

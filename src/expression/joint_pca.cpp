@@ -66,6 +66,7 @@ JointPca joint_pca(const Context& context, const Matrix& neutrals, const Matrix&
     if (result.identity.cols() == 0 || result.expression.cols() == 0)
         fail(Status::invalid_argument,
              "the training faces do not differ: nothing can be learned from them");
+    result.start_orthogonality = orthogonality_scores(result.identity, result.expression);
     if (options.method == TrainMethod::joint_pca) return result;
 
     result.k = static_cast<double>(displacements.cols()) / static_cast<double>(neutrals.cols());

@@ -27,6 +27,7 @@ struct JointPcaOptions {
 struct JointPca {
     Matrix identity, expression;  ///< r x p, r x q, orthonormal columns, strongest first
     double k = 1.0, lambda = 0.0;
+    Vector start_orthogonality;   ///< scores of joint PCA, where the quasi-orthogonal iteration starts
     int iterations = 0;
     double last_angle_rad = 0.0;
     bool converged = true;

@@ -50,11 +50,23 @@ class PassCounter {
     int total_, done_ = 0;
 };
 
-/// Leading `rank` directions of the columns by block power iteration.
+/// Leading `rank` directions of the columns by block power iteration; where that is all of them, the columns'
+/// own span, which keeps the weakest ones too.
 Matrix leading_directions(const Context& context, const ColumnSource& source, bool identity,
                           const Vector& mean, Index rank, int passes, Matrix& buffer,
                           PassCounter& counter) {
     const Index rows = source.num_rows();
+    const Index count = identity ? source.num_neutrals() : source.num_displacements();
+    if (rank >= (identity ? count - 1 : count)) {
+        Matrix columns(rows, count);
+        for_each_block(source, identity, mean, buffer, [&](Index first, auto block) {
+            context.check_cancelled();
+            columns.middleCols(first, block.cols()) = block;
+        });
+        orthonormalize(context, columns);
+        for (int pass = 0; pass < passes; ++pass) counter.step();
+        return columns;
+    }
     Matrix basis(rows, rank), next(rows, rank);
     for (Index column = 0; column < rank; ++column)
         for (Index row = 0; row < rows; ++row)

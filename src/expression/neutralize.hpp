@@ -22,10 +22,13 @@ struct NeutralizationResult {
     Points neutral_vertices;          ///< #V x 3 of the input, mm
     Vector identity, expression;      ///< coordinates, mm along the unit modes
     std::vector<double> component_probabilities;  ///< of model.components; mixture only
-    /// Root of the summed posterior variance of the three coordinates that neutralization moved, per
-    /// vertex, mm; empty unless asked for, or for fits without a prior.
+    /// Root of the summed posterior variance of a vertex's three coordinates, mm: of the expression that was
+    /// taken off where the vertex was seen, of the whole person where its weight is zero; empty unless asked
+    /// for, or for fits without a prior.
     Vector uncertainty_mm;
-    double mean_displacement_mm = 0, max_displacement_mm = 0;
+    double mean_displacement_mm = 0, max_displacement_mm = 0, rms_displacement_mm = 0;
+    double unseen_share = 0;          ///< of the vertices: those of weight zero
+    double rms_uncertainty_mm = 0;    ///< of the displacement, over all vertices; 0 without a prior
     Similarity pose;                  ///< training frame -> frame of the face
     double residual_rms_mm = 0;       ///< distance of the face from the fitted model per vertex
     double noise_mm2 = 0;             ///< noise variance that was used; above the model's for faces that were
@@ -42,6 +45,10 @@ NeutralizationResult neutralize(const Context& context, const ExpressionModel& m
                                 const PointsRef& vertices, const Vector& weights_per_vertex,
                                 const NeutralizeOptions& options);
 
+/// What speaks against trusting a result, in sentences; empty: nothing.
+std::vector<std::string> neutralization_warnings(const ExpressionModel& model,
+                                                 const NeutralizationResult& result);
+
 /// Throws Status::mismatch unless a mesh of so many vertices with these triangles is in the model's
 /// topology. Without triangles (0 rows) only the vertex count is held against the model.
 void check_topology(const ExpressionModel& model, Index num_vertices, const TrianglesRef& triangles);
@@ -54,9 +61,5 @@ Points synthesize_face(const Context& context, const ExpressionModel& model, con
 /// 3#V, what an expression's coordinates move.
 Vector expression_displacement(const Context& context, const ExpressionModel& model,
                                const Vector& expression, FitMethod method = FitMethod::mixture);
-
-/// Root of the trace of E_i C E_i' per vertex, C a covariance of expression coordinates, E = Q + P T.
-Vector expression_uncertainty(const Context& context, const ExpressionModel& model,
-                              const Matrix& covariance);
 
 }  // namespace mien

@@ -177,6 +177,7 @@ std::string training_json(const ExpressionModel& model, const TrainReport& repor
         .number("last_angle_rad", report.last_angle_rad)
         .boolean("converged", report.converged)
         .numbers("orthogonality", as_list(report.orthogonality))
+        .numbers("joint_pca_orthogonality", as_list(report.joint_pca_orthogonality))
         .number("identity_explained", report.identity_explained)
         .number("expression_explained", report.expression_explained)
         .number("span_cut", report.span_cut)
@@ -189,23 +190,16 @@ std::string neutralization_json(const ExpressionModel& model, const Neutralizati
     JsonObject json;
     json.number("mean_displacement_mm", result.mean_displacement_mm)
         .number("max_displacement_mm", result.max_displacement_mm)
+        .number("rms_displacement_mm", result.rms_displacement_mm)
+        .number("rms_uncertainty_mm", result.rms_uncertainty_mm)
         .number("residual_rms_mm", result.residual_rms_mm)
         .number("expected_residual_mm", model.expected_residual_mm)
         .number("noise_mm2", result.noise_mm2)
         .number("doubted_share", result.doubted_share)
+        .number("unseen_share", result.unseen_share)
         .integer("sweeps", result.sweeps)
         .boolean("converged", result.converged);
-    std::vector<std::string> warnings;
-    if (model.expected_residual_mm > 0.0 &&
-        result.residual_rms_mm > 1.5 * model.expected_residual_mm)
-        warnings.push_back(
-            "the face lies farther from the model than faces of new people do: it was fitted badly, or is "
-            "unlike the training faces");
-    if (!result.component_probabilities.empty() && !model.components.empty() &&
-        model.components.back().name == "any" && result.component_probabilities.back() > 0.5)
-        warnings.push_back("the expression is none of the trained ones");
-    if (!result.converged) warnings.push_back("the alternating fit has not converged");
-    json.raw("warnings", json_string_list(warnings));
+    json.raw("warnings", json_string_list(neutralization_warnings(model, result)));
     if (!result.component_probabilities.empty()) {
         JsonObject expressions;
         std::size_t best = 0;
@@ -221,6 +215,24 @@ std::string neutralization_json(const ExpressionModel& model, const Neutralizati
             .number("max_uncertainty_mm", result.uncertainty_mm.maxCoeff());
     json.numbers("identity_coordinates_mm", as_list(result.identity))
         .numbers("expression_coordinates_mm", as_list(result.expression));
+    return json.text();
+}
+
+std::string series_json(const ExpressionModel& model, const SeriesResult& result) {
+    std::string faces = "[";
+    for (std::size_t k = 0; k < result.expressions.size(); ++k) {
+        JsonObject face;
+        if (!result.components.empty()) face.string("expression", result.components[k]);
+        face.number("residual_rms_mm", result.residuals_mm[k])
+            .number("distance_to_shared_mm", result.distances_mm[k])
+            .raw("warnings", json_string_list(series_warnings(model, result, k)))
+            .numbers("expression_coordinates_mm", as_list(result.expressions[k]));
+        faces += (k == 0 ? "" : ", ") + face.text();
+    }
+    JsonObject json;
+    json.raw("faces", faces + "]")
+        .number("expected_residual_mm", model.expected_residual_mm)
+        .numbers("identity_coordinates_mm", as_list(result.identity));
     return json.text();
 }
 

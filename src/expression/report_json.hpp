@@ -5,6 +5,7 @@
 
 #include "expression/evaluation.hpp"
 #include "expression/neutralize.hpp"
+#include "expression/series.hpp"
 #include "expression/training.hpp"
 
 namespace mien {
@@ -17,5 +18,6 @@ std::string model_json(const ExpressionModel& model);
 std::string evaluation_json(const FaceDataset& dataset, const EvaluatedFaces& baseline,
                             const EvaluatedFaces& result, const EvaluatedFaces* against);
 std::string neutralization_json(const ExpressionModel& model, const NeutralizationResult& result);
+std::string series_json(const ExpressionModel& model, const SeriesResult& result);
 
 }  // namespace mien

@@ -187,6 +187,7 @@ SeriesResult neutralize_series(const Context& context, const ExpressionModel& mo
         const NeutralizationResult alone =
             neutralize(quiet, model, scans[k].vertices, scans[k].weights, single);
         result.poses.push_back(alone.pose);
+        result.residuals_mm.push_back(alone.residual_rms_mm);
         placed.push_back(alone.pose.inverse().apply(PointsRef(scans[k].vertices)));
         std::vector<std::size_t> order(alone.component_probabilities.size());
         for (std::size_t c = 0; c < order.size(); ++c) order[c] = c;
@@ -235,28 +236,61 @@ SeriesResult neutralize_series(const Context& context, const ExpressionModel& mo
 
     result.identity = best.coordinates.head(model.num_identity_modes());
     const Matrix weights = scan_weights(scans, n, options, options.scan_noise_share * noise);
+    std::vector<Points> neutrals;
     Points sum = Points::Zero(n, 3);
     Vector total = Vector::Zero(n);
     for (std::size_t k = 0; k < scans.size(); ++k) {
         const Vector expression = best.coordinates.segment(
             model.num_identity_modes() + static_cast<Index>(k) * q, q);
         const Vector moved = expression_displacement(context, model, expression);
-        const Points neutral = placed[k] - Eigen::Map<const Points>(moved.data(), n, 3);
+        neutrals.push_back(placed[k] - Eigen::Map<const Points>(moved.data(), n, 3));
+        const Points& neutral = neutrals.back();
         for (Index i = 0; i < n; ++i) {
             const double weight = weights(static_cast<Index>(k), i);
             if (weight == 0.0) continue;
             sum.row(i) += weight * neutral.row(i);
             total[i] += weight;
         }
-        result.neutral_vertices.push_back(result.poses[k].apply(PointsRef(neutral)));
         result.expressions.push_back(expression);
         if (mixture) result.components.push_back(model.components[chosen[k]].name);
     }
     result.identity_vertices = synthesize_face(context, model, result.identity, Vector());
     for (Index i = 0; i < n; ++i)
         if (total[i] > 0.0) result.identity_vertices.row(i) = sum.row(i) / total[i];
+    std::vector<char> changing(static_cast<std::size_t>(n), 0);
+    for (std::uint32_t vertex : options.changing_zone) changing[vertex] = 1;
+    for (std::size_t k = 0; k < scans.size(); ++k) {
+        double squares = 0.0, seen = 0.0;
+        for (Index i = 0; i < n; ++i) {
+            const double weight = scans[k].weights.size() != 0 ? scans[k].weights[i] : 1.0;
+            if (weight != 0.0 && !changing[static_cast<std::size_t>(i)]) {
+                squares += weight * (neutrals[k].row(i) - result.identity_vertices.row(i)).squaredNorm();
+                seen += weight;
+            }
+            if (!neutrals[k].row(i).allFinite()) neutrals[k].row(i) = result.identity_vertices.row(i);
+        }
+        result.distances_mm.push_back(seen > 0.0 ? std::sqrt(squares / seen) : 0.0);
+        result.neutral_vertices.push_back(result.poses[k].apply(PointsRef(neutrals[k])));
+    }
     context.progress(Stage::neutralizing, 1.0);
     return result;
+}
+
+std::vector<std::string> series_warnings(const ExpressionModel& model, const SeriesResult& result,
+                                         std::size_t k) {
+    std::vector<std::string> warnings;
+    const double expected = model.expected_residual_mm;
+    if (expected > 0.0 && result.residuals_mm[k] > 1.5 * expected)
+        warnings.push_back(
+            "the face lies farther from the model than faces of new people do: it was fitted badly, or is "
+            "unlike the training faces");
+    if (expected > 0.0 && result.distances_mm[k] > expected)
+        warnings.push_back(
+            "without its expression the face still differs from the others: it was fitted badly, shows an "
+            "expression that the model does not know, or is another person");
+    if (!result.components.empty() && result.components[k] == "any")
+        warnings.push_back("the expression is none of the trained ones");
+    return warnings;
 }
 
 }  // namespace mien

@@ -25,7 +25,7 @@ namespace mien {
 
 struct SeriesScan {
     Points vertices;  ///< in the model's topology
-    Vector weights;   ///< per vertex or empty
+    Vector weights;   ///< per vertex or empty; 0: no data there, the vertex may hold anything
 };
 
 struct SeriesOptions {
@@ -39,16 +39,24 @@ struct SeriesOptions {
 
 struct SeriesResult {
     Points identity_vertices;               ///< the person's neutral face: mean of the scans' neutrals
-    std::vector<Points> neutral_vertices;   ///< per scan, in its own frame
+    std::vector<Points> neutral_vertices;   ///< per scan, in its own frame; where a scan has no finite vertex, the
+                                            ///< shared face's
     Vector identity;                        ///< a
     std::vector<Vector> expressions;        ///< b_k
     std::vector<std::string> components;    ///< name of each scan's mixture component; map: empty
     std::vector<Similarity> poses;          ///< training frame -> frame of the scan
+    std::vector<double> residuals_mm;       ///< distance of each scan from its own fit per vertex
+    /// Root mean square distance of each scan's neutral face from the shared one, changing zone left out, mm.
+    std::vector<double> distances_mm;
 };
 
 /// Throws as neutralize(); Status::invalid_argument for no scan or fits without a prior.
 /// O(K #V (p+q)) and a system of p + K q unknowns; with weights or a zone O(K^2 #V (p+q)^2) more.
 SeriesResult neutralize_series(const Context& context, const ExpressionModel& model,
                                const std::vector<SeriesScan>& scans, const SeriesOptions& options);
+
+/// What speaks against trusting scan `k` of a series, in sentences; empty: nothing.
+std::vector<std::string> series_warnings(const ExpressionModel& model, const SeriesResult& result,
+                                         std::size_t k);
 
 }  // namespace mien

@@ -12,6 +12,7 @@ namespace mien {
 namespace {
 
 constexpr const char* kKind = "mien-expression-shard";
+constexpr double kSameReferenceMm = 1e-6;
 
 /// One shard's mapped tensors.
 struct Shard {
@@ -49,14 +50,34 @@ class ShardColumns final : public ColumnSource {
                                         static_cast<Index>(shape.shape[0]), 3);
         const std::vector<std::string> names =
             parse_json_string_list(file.metadata("expression_names"), "expression_names");
+        std::vector<std::uint32_t> stable;
+        Points reference;
+        if (file.has("stable_vertices")) {
+            const TensorView& zone = file.tensor("stable_vertices", DType::u32, {-1});
+            const auto* first = static_cast<const std::uint32_t*>(zone.data);
+            stable.assign(first, first + zone.count);
+            const auto count = static_cast<std::int64_t>(zone.count);
+            reference = Eigen::Map<const Points>(
+                static_cast<const double*>(file.tensor("stable_reference", DType::f64, {count, 3}).data),
+                static_cast<Index>(count), 3);
+        }
         if (shards_.empty()) {
             num_vertices = n;
             triangles = own;
             expression_names = names;
+            stable_vertices = stable;
+            stable_reference = reference;
         } else if (n != num_vertices || own.rows() != triangles.rows() || own != triangles ||
                    names != expression_names) {
             fail(Status::mismatch,
                  "'%s' was made from faces of another topology or with other expression names",
+                 shown_path(path).c_str());
+        } else if (stable != stable_vertices ||
+                   (reference.rows() != 0 &&
+                    (reference - stable_reference).cwiseAbs().maxCoeff() > kSameReferenceMm)) {
+            fail(Status::mismatch,
+                 "the faces of '%s' were aligned in another way than those of the first shard: make all shards "
+                 "from one data set with one stable zone",
                  shown_path(path).c_str());
         }
         const TensorView& neutrals = file.tensor("neutrals", DType::f64, {-1, rank});
@@ -124,9 +145,6 @@ class ShardColumns final : public ColumnSource {
 ShardReport write_expression_shard(const std::string& path, const ColumnSource& source,
                                    const ShardOptions& options, const Context& context) {
     if (options.max_rank < 1) fail(Status::invalid_argument, "a shard needs a rank of at least 1");
-    if (!source.stable_vertices.empty())
-        fail(Status::invalid_argument,
-             "shards are made of faces as they lie: align a study before it is cut into parts");
     JointSpanOptions span_options;
     span_options.identity_rank = span_options.expression_rank = options.max_rank;
     span_options.passes = options.passes;
@@ -135,8 +153,7 @@ ShardReport write_expression_shard(const std::string& path, const ColumnSource& 
     const std::uint64_t rank = static_cast<std::uint64_t>(span.basis.cols());
     const std::uint64_t m = static_cast<std::uint64_t>(source.num_neutrals());
     const std::uint64_t s = static_cast<std::uint64_t>(source.num_displacements());
-    write_safetensors(
-        path,
+    std::vector<TensorToWrite> tensors =
         {{"basis", DType::f64, {rank, n, 3}, span.basis.data()},
          {"mean", DType::f64, {n, 3}, span.mean.data()},
          {"neutrals", DType::f64, {m, rank}, span.neutrals.data()},
@@ -145,7 +162,14 @@ ShardReport write_expression_shard(const std::string& path, const ColumnSource& 
          {"displacement_subject", DType::i32, {s}, source.displacement_subject.data()},
          {"displacement_expression", DType::i32, {s}, source.displacement_expression.data()},
          {"triangles", DType::u32, {static_cast<std::uint64_t>(source.triangles.rows()), 3},
-          source.triangles.data()}},
+          source.triangles.data()}};
+    if (!source.stable_vertices.empty()) {
+        const std::uint64_t count = source.stable_vertices.size();
+        tensors.insert(tensors.begin(), {"stable_reference", DType::f64, {count, 3}, source.stable_reference.data()});
+        tensors.push_back({"stable_vertices", DType::u32, {count}, source.stable_vertices.data()});
+    }
+    write_safetensors(
+        path, tensors,
         {{"kind", kKind},
          {"format", "1.0"},
          {"units", "millimetres"},

@@ -31,7 +31,7 @@ ShardReport write_expression_shard(const std::string& path, const ColumnSource& 
                                    const ShardOptions& options, const Context& context);
 
 /// Columns of all shards together, in the order given. Throws Status::mismatch when vertex counts,
-/// triangles or expression names differ, Status::invalid_argument for no shard or a subject that is in
+/// triangles, expression names or the alignment differ, Status::invalid_argument for no shard or a subject that is in
 /// two shards.
 std::unique_ptr<ColumnSource> shard_columns(const std::vector<std::string>& paths,
                                             const SafetensorsReadOptions& options,

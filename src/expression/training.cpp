@@ -127,6 +127,7 @@ std::shared_ptr<const ExpressionModel> train_expression_model(const ColumnSource
         report->last_angle_rad = subspaces.last_angle_rad;
         report->converged = subspaces.converged;
         report->orthogonality = orthogonality_scores(subspaces.identity, subspaces.expression);
+        report->joint_pca_orthogonality = subspaces.start_orthogonality;
         report->identity_explained = identity_coordinates.squaredNorm() / span.neutral_energy;
         report->expression_explained =
             expression_coordinates.squaredNorm() / span.displacement_energy;

@@ -31,6 +31,7 @@ struct TrainReport {
     double last_angle_rad = 0;
     bool converged = true;
     Vector orthogonality;             ///< ||P_c Q_c'||, c = 1 ..
+    Vector joint_pca_orthogonality;   ///< the same of joint PCA on these faces
     double identity_explained = 0, expression_explained = 0;  ///< shares of the training variance
     double span_cut = 0;              ///< share of the variance that the joint span does not hold
     NoiseLevels noise;

@@ -141,6 +141,15 @@ TEST_F(Expression, SeriesScanAndTransferWork) {
     EXPECT_LT(distance(series.identity().positions(), truth), 0.3);
     EXPECT_EQ(series.neutral(2).positions().size(), truth.size());
     EXPECT_THROW(series.neutral(3), mien::Exception);
+    EXPECT_NE(series.json().find("distance_to_shared_mm"), std::string::npos);
+
+    mien::SeriesOptions weighted;
+    const std::vector<double> ones(truth.size() * faces.size(), 1.0);
+    weighted.set_weights(ones);
+    EXPECT_LT(distance(mien::Series(*session_, *model_, faces, weighted).identity().positions(), truth), 0.3);
+    const std::vector<double> too_few(truth.size(), 1.0);
+    weighted.set_weights(too_few);
+    EXPECT_THROW(mien::Series(*session_, *model_, faces, weighted), mien::Exception);
 
     const mien::Neutralization up(*session_, *model_, faces[0]), none(*session_, *model_, face(24, 0));
     EXPECT_LT(distance(up.apply_to_scan(*session_, faces[0]).positions(), up.mesh().positions()), 0.3);

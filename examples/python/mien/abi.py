@@ -70,8 +70,6 @@ MIEN_REGISTRATION_STANDARD_DEVIATION_MM = 3
 MIEN_REGISTRATION_RADIUS95_MM = 4
 MIEN_TRANSFER_LANDMARKS = 1
 MIEN_TRANSFER_ZONES = 2
-MIEN_TRAIN_JPCA = 0
-MIEN_TRAIN_QOJPCA = 1
 MIEN_FIT_MIXTURE = 0
 MIEN_FIT_MAP = 1
 MIEN_FIT_EXACT = 2
@@ -109,6 +107,8 @@ MIEN_FEATURES_DEFORMATION_NORMALISED = 5
 MIEN_FEATURES_DEFORMATION_STANDARDISED = 6
 MIEN_MAP_DOWN = 1
 MIEN_MAP_UP = 2
+MIEN_TRAIN_JPCA = 0
+MIEN_TRAIN_QOJPCA = 1
 MIEN_ABI_VERSION = 0
 
 
@@ -295,26 +295,6 @@ class FitVerdict(ctypes.Structure):
     ]
 
 
-class TrainOptions(ctypes.Structure):
-    _fields_ = [
-        ("struct_size", ctypes.c_uint32),
-        ("method", ctypes.c_int32),
-        ("identity_modes", ctypes.c_int32),
-        ("expression_modes", ctypes.c_int32),
-        ("max_iterations", ctypes.c_int32),
-        ("passes", ctypes.c_int32),
-        ("lambda", ctypes.c_double),
-        ("lambda_factor", ctypes.c_double),
-        ("angle_tolerance_rad", ctypes.c_double),
-        ("noise_mm2", ctypes.c_double),
-        ("stable_vertices", ctypes.c_void_p),
-        ("stable_count", ctypes.c_uint64),
-        ("progress", ProgressFn),
-        ("progress_user", ctypes.c_void_p),
-        ("cancel", ctypes.c_void_p),
-    ]
-
-
 class NeutralizeOptions(ctypes.Structure):
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
@@ -327,35 +307,6 @@ class NeutralizeOptions(ctypes.Structure):
         ("noise_mm2", ctypes.c_double),
         ("decay_mm", ctypes.c_double),
         ("weights", ArrayView),
-        ("progress", ProgressFn),
-        ("progress_user", ctypes.c_void_p),
-        ("cancel", ctypes.c_void_p),
-    ]
-
-
-class ShardOptions(ctypes.Structure):
-    _fields_ = [
-        ("struct_size", ctypes.c_uint32),
-        ("part", ctypes.c_int32),
-        ("part_count", ctypes.c_int32),
-        ("max_rank", ctypes.c_int32),
-        ("progress", ProgressFn),
-        ("progress_user", ctypes.c_void_p),
-        ("cancel", ctypes.c_void_p),
-    ]
-
-
-class SeriesOptions(ctypes.Structure):
-    _fields_ = [
-        ("struct_size", ctypes.c_uint32),
-        ("method", ctypes.c_int32),
-        ("pose", ctypes.c_int32),
-        ("reserved", ctypes.c_uint32),
-        ("scan_noise_share", ctypes.c_double),
-        ("noise_mm2", ctypes.c_double),
-        ("changing_vertices", ctypes.c_void_p),
-        ("changing_count", ctypes.c_uint64),
-        ("expected_change_mm", ctypes.c_double),
         ("progress", ProgressFn),
         ("progress_user", ctypes.c_void_p),
         ("cancel", ctypes.c_void_p),
@@ -481,6 +432,24 @@ class ScorePrediction(ctypes.Structure):
     ]
 
 
+class SeriesOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("method", ctypes.c_int32),
+        ("pose", ctypes.c_int32),
+        ("reserved", ctypes.c_uint32),
+        ("scan_noise_share", ctypes.c_double),
+        ("noise_mm2", ctypes.c_double),
+        ("changing_vertices", ctypes.c_void_p),
+        ("changing_count", ctypes.c_uint64),
+        ("expected_change_mm", ctypes.c_double),
+        ("progress", ProgressFn),
+        ("progress_user", ctypes.c_void_p),
+        ("cancel", ctypes.c_void_p),
+        ("weights", ArrayView),
+    ]
+
+
 class SpectralBasisOptions(ctypes.Structure):
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
@@ -512,6 +481,40 @@ class BandChoice(ctypes.Structure):
         ("fmpd", ctypes.c_double),
         ("on_front", ctypes.c_int32),
         ("chosen", ctypes.c_int32),
+    ]
+
+
+class TrainOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("method", ctypes.c_int32),
+        ("identity_modes", ctypes.c_int32),
+        ("expression_modes", ctypes.c_int32),
+        ("max_iterations", ctypes.c_int32),
+        ("passes", ctypes.c_int32),
+        ("lambda", ctypes.c_double),
+        ("lambda_factor", ctypes.c_double),
+        ("angle_tolerance_rad", ctypes.c_double),
+        ("noise_mm2", ctypes.c_double),
+        ("stable_vertices", ctypes.c_void_p),
+        ("stable_count", ctypes.c_uint64),
+        ("progress", ProgressFn),
+        ("progress_user", ctypes.c_void_p),
+        ("cancel", ctypes.c_void_p),
+    ]
+
+
+class ShardOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("part", ctypes.c_int32),
+        ("part_count", ctypes.c_int32),
+        ("max_rank", ctypes.c_int32),
+        ("progress", ProgressFn),
+        ("progress_user", ctypes.c_void_p),
+        ("cancel", ctypes.c_void_p),
+        ("stable_vertices", ctypes.c_void_p),
+        ("stable_count", ctypes.c_uint64),
     ]
 
 
@@ -573,13 +576,6 @@ SIGNATURES = {
     "mien_surface_transfer_points": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ArrayView), ctypes.c_double, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
     "mien_surface_transfer_zone": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_double, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
     "mien_surface_transfer_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int32, ctypes.c_double, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_train_options_init": (None, [ctypes.POINTER(TrainOptions), ctypes.c_size_t]),
-    "mien_neutralize_options_init": (None, [ctypes.POINTER(NeutralizeOptions), ctypes.c_size_t]),
-    "mien_evaluate_options_init": (None, [ctypes.POINTER(EvaluateOptions), ctypes.c_size_t]),
-    "mien_expression_model_train": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(TrainOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_shard_options_init": (None, [ctypes.POINTER(ShardOptions), ctypes.c_size_t]),
-    "mien_expression_shard_create": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ShardOptions), ctypes.c_char_p, ctypes.POINTER(Error)]),
-    "mien_expression_model_merge": (ctypes.c_int32, [ctypes.c_void_p, ctypes.POINTER(ctypes.c_char_p), ctypes.c_uint32, ctypes.POINTER(TrainOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_expression_model_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_expression_model_load_memory": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_expression_model_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
@@ -589,22 +585,20 @@ SIGNATURES = {
     "mien_expression_model_get_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
     "mien_expression_model_synthesize": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ArrayView), ctypes.POINTER(ArrayView), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_expression_model_sample": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_neutralize_options_init": (None, [ctypes.POINTER(NeutralizeOptions), ctypes.c_size_t]),
     "mien_neutralize": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(NeutralizeOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_neutralize_mesh": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(NeutralizeOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_series_options_init": (None, [ctypes.POINTER(SeriesOptions), ctypes.c_size_t]),
-    "mien_neutralize_series": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.c_uint32, ctypes.POINTER(SeriesOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_series_get_mesh": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_series_release": (None, [ctypes.c_void_p]),
-    "mien_neutralization_apply_to_scan": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_double, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_expression_model_transfer": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_evaluate_neutralization": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(EvaluateOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_evaluation_get_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_evaluation_release": (None, [ctypes.c_void_p]),
     "mien_neutralization_mesh": (ctypes.c_void_p, [ctypes.c_void_p]),
     "mien_neutralization_get_coordinates": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
     "mien_neutralization_get_uncertainty": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
     "mien_neutralization_get_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
     "mien_neutralization_release": (None, [ctypes.c_void_p]),
+    "mien_neutralization_apply_to_scan": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_double, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_expression_model_transfer": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_evaluate_options_init": (None, [ctypes.POINTER(EvaluateOptions), ctypes.c_size_t]),
+    "mien_evaluate_neutralization": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(EvaluateOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_evaluation_get_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_evaluation_release": (None, [ctypes.c_void_p]),
     "mien_measure_options_init": (None, [ctypes.POINTER(MeasureOptions), ctypes.c_size_t]),
     "mien_measure_volume": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(MeasureOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_measure_distance": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(MeasureOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
@@ -632,6 +626,11 @@ SIGNATURES = {
     "mien_statistics_agreement": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_uint32, ctypes.c_int32, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
     "mien_statistics_repeatability": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
     "mien_statistics_bland_altman": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_series_options_init": (None, [ctypes.POINTER(SeriesOptions), ctypes.c_size_t]),
+    "mien_neutralize_series": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.c_uint32, ctypes.POINTER(SeriesOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_series_get_mesh": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_series_get_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_series_release": (None, [ctypes.c_void_p]),
     "mien_spectral_basis_options_init": (None, [ctypes.POINTER(SpectralBasisOptions), ctypes.c_size_t]),
     "mien_spectral_basis_build": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(SpectralBasisOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_spectral_basis_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
@@ -672,4 +671,9 @@ SIGNATURES = {
     "mien_blendshape_model_search": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.c_char_p, ctypes.c_void_p, ctypes.c_uint32, ctypes.POINTER(BlendshapeOptions), ctypes.POINTER(BandChoice), ctypes.POINTER(Error)]),
     "mien_blendshape_model_retain": (None, [ctypes.c_void_p]),
     "mien_blendshape_model_release": (None, [ctypes.c_void_p]),
+    "mien_train_options_init": (None, [ctypes.POINTER(TrainOptions), ctypes.c_size_t]),
+    "mien_expression_model_train": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(TrainOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_shard_options_init": (None, [ctypes.POINTER(ShardOptions), ctypes.c_size_t]),
+    "mien_expression_shard_create": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ShardOptions), ctypes.c_char_p, ctypes.POINTER(Error)]),
+    "mien_expression_model_merge": (ctypes.c_int32, [ctypes.c_void_p, ctypes.POINTER(ctypes.c_char_p), ctypes.c_uint32, ctypes.POINTER(TrainOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
 }

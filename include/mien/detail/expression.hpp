@@ -46,12 +46,15 @@ class ExpressionModel {
     /// Writes what part `part` of `part_count` of a dataset contributes to training.
     static void write_shard(const Session& session, const std::string& dataset_path, int part,
                             int part_count, const std::string& shard_path, int max_rank = 512,
-                            const Progress& progress = {}) {
+                            const Progress& progress = {},
+                            const std::vector<std::uint32_t>& stable_vertices = {}) {
         mien_shard_options options;
         mien_shard_options_init(&options, sizeof options);
         options.part = part;
         options.part_count = part_count;
         options.max_rank = max_rank;
+        options.stable_vertices = stable_vertices.data();
+        options.stable_count = stable_vertices.size();
         detail::ProgressBridge bridge(progress);
         bridge.install(options);
         bridge.call(mien_expression_shard_create, session.get(), dataset_path.c_str(), &options,
@@ -135,6 +138,10 @@ class ExpressionModel {
 /// mien_series_options with its defaults.
 struct SeriesOptions : mien_series_options {
     SeriesOptions() { mien_series_options_init(this, sizeof(mien_series_options)); }
+    /// `values`, one per vertex, face by face, must live until the call returns.
+    void set_weights(const std::vector<double>& values) {
+        weights = {values.data(), values.size(), sizeof(double), MIEN_DTYPE_F64, 0};
+    }
 };
 
 /// Several scans of one person, neutralized together.
@@ -155,6 +162,7 @@ class Series {
     Mesh identity() const { return at(-1); }
     /// The neutral face of one scan, in its frame.
     Mesh neutral(std::int32_t index) const { return at(index); }
+    std::string json() const { return detail::read_text(mien_series_get_json, get()); }
     mien_series* get() const noexcept { return handle_.get(); }
 
   private:

@@ -150,6 +150,40 @@ TEST(Neutralize, UncertaintyIsLargerWhereTheFaceIsUnseen) {
     EXPECT_GE(seen.minCoeff(), 0.0);
 }
 
+TEST(Neutralize, StatedUncertaintyHoldsTheErrorOfSeenAndOfUnseenVertices) {
+    NeutralizeOptions options;
+    options.uncertainty = true;
+    Index held[2] = {0, 0}, count[2] = {0, 0};
+    double error[2] = {0, 0}, stated[2] = {0, 0};
+    for (int subject = 50; subject < 60; ++subject)
+        for (int expression = 1; expression < 5; ++expression) {
+            Points face = study().face(subject, expression);
+            Vector weights = Vector::Ones(face.rows());
+            for (Index i = 0; i < face.rows() / 2; ++i) {
+                weights[i] = 0.0;
+                face.row(i).setConstant(std::numeric_limits<double>::quiet_NaN());
+            }
+            const NeutralizationResult result = neutralize(Context(), trained_model<10>(), face, weights, options);
+            EXPECT_EQ(neutralization_warnings(trained_model<10>(), result).empty(), false);
+            const Points truth = study().neutral(subject);
+            for (Index i = 0; i < face.rows(); ++i) {
+                const int seen = weights[i] > 0.0;
+                const double distance = (result.neutral_vertices.row(i) - truth.row(i)).norm();
+                held[seen] += distance <= 2.0 * result.uncertainty_mm[i];
+                error[seen] += distance;
+                stated[seen] += result.uncertainty_mm[i];
+                ++count[seen];
+            }
+        }
+    for (int seen : {0, 1}) {
+        EXPECT_GT(static_cast<double>(held[seen]), 0.85 * static_cast<double>(count[seen])) << "seen " << seen;
+        EXPECT_LT(stated[seen], 5.0 * error[seen]) << "seen " << seen;  // and says something
+    }
+    EXPECT_TRUE(neutralization_warnings(trained_model<10>(),
+                                        neutralize(Context(), trained_model<10>(), study().face(51, 1), Vector(), {}))
+                    .empty());
+}
+
 TEST(Neutralize, ABadlyMeasuredNeutralFaceIsNotGivenAnExpression) {
     ASSERT_GT(trained_model<10>().expected_residual_mm, 0.0);
     // An error that varies smoothly over the face, far above what the training faces have.

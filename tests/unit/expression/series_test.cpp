@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "expression/neutralize_mesh.hpp"
 #include "expression/training.hpp"
 #include "trained_study.hpp"
 
@@ -58,6 +59,73 @@ TEST(Series, AChangeInTheTreatedZoneIsKept) {
     const Points truth = study().neutral(62) + swelling;
     EXPECT_LT(mean_distance(kept.neutral_vertices[2], truth),
               0.5 * mean_distance(plain.neutral_vertices[2], truth) + 0.02);
+}
+
+TEST(Series, AHoleInOneScanIsFilledFromTheOthers) {
+    std::vector<SeriesScan> scans;
+    for (int expression = 1; expression < 4; ++expression)
+        scans.push_back({study().face(63, expression), Vector()});
+    SeriesScan torn{study().face(63, 4), Vector::Ones(study().rest.rows())};
+    for (Index i = 40; i < 60; ++i) {
+        torn.weights[i] = 0.0;
+        torn.vertices.row(i).setConstant(std::numeric_limits<double>::quiet_NaN());
+    }
+    scans.push_back(torn);
+    const SeriesResult result = neutralize_series(Context(), trained_model<8>(), scans, {});
+    ASSERT_TRUE(result.neutral_vertices[3].allFinite());
+    const Points truth = study().neutral(63);
+    EXPECT_LT(mean_distance(result.neutral_vertices[3].middleRows(40, 20), truth.middleRows(40, 20)), 0.3);
+}
+
+TEST(Series, SaysWhenAFaceIsAnotherPersons) {
+    std::vector<SeriesScan> scans = {{study().face(64, 1), Vector()}, {study().face(64, 2), Vector()},
+                                     {study().face(64, 3), Vector()}};
+    const SeriesResult same = neutralize_series(Context(), trained_model<8>(), scans, {});
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_TRUE(series_warnings(trained_model<8>(), same, k).empty()) << k;
+    scans.push_back({study().face(65, 2), Vector()});
+    const SeriesResult mixed = neutralize_series(Context(), trained_model<8>(), scans, {});
+    EXPECT_FALSE(series_warnings(trained_model<8>(), mixed, 3).empty());
+}
+
+TEST(Series, LargerMeshesFollowBehindTheRim) {
+    std::vector<std::shared_ptr<const TriMesh>> same, larger;
+    for (int expression = 1; expression < 4; ++expression) {
+        auto mesh = std::make_shared<TriMesh>();
+        mesh->vertices = study().face(66, expression);
+        mesh->triangles = study().triangles;
+        same.push_back(mesh);
+        // A collar: each vertex of the first row once more, 10 mm below.
+        auto collared = std::make_shared<TriMesh>(*mesh);
+        const Index n = mesh->vertices.rows(), side = study().side;
+        collared->vertices.conservativeResize(n + side, 3);
+        for (Index k = 0; k < side; ++k)
+            collared->vertices.row(n + k) = study().rest.row(k) - Vector3(0, 10, 0).transpose();
+        const Index m = collared->triangles.rows();
+        collared->triangles.conservativeResize(m + 2 * (side - 1), 3);
+        for (std::uint32_t k = 0; k + 1 < static_cast<std::uint32_t>(side); ++k) {
+            const std::uint32_t below = static_cast<std::uint32_t>(n) + k;
+            collared->triangles.row(m + 2 * k) << k, below + 1, k + 1;
+            collared->triangles.row(m + 2 * k + 1) << k, below, below + 1;
+        }
+        larger.push_back(collared);
+    }
+    const SeriesResult a = neutralize_series_meshes(Context(), trained_model<8>(), same, {}, {});
+    const SeriesResult b = neutralize_series_meshes(Context(), trained_model<8>(), larger, {}, {});
+    const Index n = study().rest.rows();
+    ASSERT_EQ(b.neutral_vertices[1].rows(), n + study().side);
+    ASSERT_EQ(b.identity_vertices.rows(), n + study().side);
+    EXPECT_LT((a.neutral_vertices[1] - b.neutral_vertices[1].topRows(n)).cwiseAbs().maxCoeff(), 1e-9);
+    EXPECT_LT((b.neutral_vertices[1].bottomRows(study().side) - larger[1]->vertices.bottomRows(study().side))
+                  .rowwise()
+                  .norm()
+                  .maxCoeff(),
+              5.0);
+    EXPECT_THROW(neutralize_series_meshes(Context(), trained_model<8>(), {same[0], larger[1]}, {}, {}), Error);
+    EXPECT_THROW(neutralize_series_meshes(Context(), trained_model<8>(), larger, {Vector()}, {}), Error);
+    EXPECT_THROW(neutralize_series_meshes(Context(), trained_model<8>(), {}, {}, {}), Error);
+    SeriesOptions wrong;
+    wrong.changing_zone = {100000};
+    EXPECT_THROW(neutralize_series_meshes(Context(), trained_model<8>(), larger, {}, wrong), Error);
 }
 
 TEST(Series, RefusesNothingAndFitsWithoutAPrior) {

@@ -21,11 +21,11 @@ TrainOptions shard_options() {
 }
 
 std::vector<std::string> write_parts(const std::shared_ptr<const FaceDataset>& data, int count,
-                                     const std::string& tag) {
+                                     const std::string& tag, const std::vector<std::uint32_t>& stable = {}) {
     std::vector<std::string> paths;
     for (int part = 0; part < count; ++part) {
         paths.push_back(Study::path(tag + std::to_string(part)));
-        const auto source = dataset_columns(data, subjects_of_part(*data, part, count));
+        const auto source = dataset_columns(data, subjects_of_part(*data, part, count), stable);
         const ShardReport report =
             write_expression_shard(paths.back(), *source, ShardOptions(), Context());
         EXPECT_LT(report.cut, 1e-12);
@@ -82,6 +82,28 @@ TEST(Shards, RefuseASubjectInTwoShardsAndOtherTopologies) {
     EXPECT_EQ(status_of(paths), Status::ok);
     remove_all(paths);
     remove_all(foreign);
+}
+
+TEST(Shards, PartsOfOneSetAreAlignedAlikeAndOthersAreRefused) {
+    const Study study;
+    const auto data = study.dataset(0, study.subjects, "aligned");
+    TrainOptions options = shard_options();
+    for (Index i = 0; i < study.rest.rows(); ++i)
+        if (study.rest(i, 1) > 70) options.stable_vertices.push_back(static_cast<std::uint32_t>(i));
+    const auto whole = train_expression_model(data, options, Context());
+    const auto paths = write_parts(data, 3, "aligned", options.stable_vertices);
+    const auto merged = train_expression_model(*shard_columns(paths, {}, Context()), options, Context());
+    EXPECT_EQ(merged->stable_vertices, options.stable_vertices);
+    EXPECT_LT((whole->mean - merged->mean).cwiseAbs().maxCoeff(), 1e-9);
+    EXPECT_LT((whole->identity_modes.map() - merged->identity_modes.map()).cwiseAbs().maxCoeff(), 1e-6);
+    EXPECT_LT((whole->expression_modes.map() - merged->expression_modes.map()).cwiseAbs().maxCoeff(), 1e-6);
+    const auto elsewhere = write_parts(study.dataset(30, 34, "elsewhere"), 1, "elsewhere", options.stable_vertices);
+    const auto loose = write_parts(study.dataset(30, 34, "loose"), 1, "loose");
+    EXPECT_THROW(shard_columns({paths[0], elsewhere[0]}, {}, Context()), Error);
+    EXPECT_THROW(shard_columns({paths[0], loose[0]}, {}, Context()), Error);
+    remove_all(paths);
+    remove_all(elsewhere);
+    remove_all(loose);
 }
 
 TEST(Shards, PartsCoverEverySubjectOnce) {

@@ -47,6 +47,8 @@ TEST(Training, QuasiOrthogonalSubspacesAreMoreOrthogonal) {
     train_expression_model(data, options, Context(), &quasi);
     const Index last = std::min(joint.orthogonality.size(), quasi.orthogonality.size()) - 1;
     EXPECT_LT(quasi.orthogonality[last], 0.3 * joint.orthogonality[last]);
+    EXPECT_EQ(joint.joint_pca_orthogonality, joint.orthogonality);
+    EXPECT_EQ(quasi.joint_pca_orthogonality, joint.orthogonality);
     EXPECT_NEAR(quasi.k, 4.0, 1e-12);
     EXPECT_TRUE(quasi.converged);
 }
