@@ -1,9 +1,10 @@
-// A packed four-wide tree of boxes over the triangles of a surface, or over the points of a cloud:
+// A packed eight-wide tree of boxes over the triangles of a surface, or over the points of a cloud:
 // closest point, first hit of a ray, number of crossings.
 //
-// The triangles are cut at box medians (widest axis of their centroids) into blocks of four, and the
-// blocks into fours again: a complete tree whose layout follows from the count alone. Boxes are
-// floats, rounded outwards; triangles stay double. Build O(F log F), 72 + 4 + 12 bytes a triangle.
+// The triangles are cut at box medians (widest axis of their centroids) into blocks of eight, and the
+// blocks into eights again: a complete tree whose layout follows from the count alone. Boxes and the
+// triangles' planes are floats (spatial/tree_search.hpp) and only choose candidates; the answer comes
+// from the corners, which stay double. Build O(F log F), about 100 bytes a triangle.
 #pragma once
 
 #include <limits>
@@ -11,6 +12,7 @@
 
 #include "base/context.hpp"
 #include "base/types.hpp"
+#include "spatial/tree_search.hpp"
 
 namespace mien {
 
@@ -66,29 +68,30 @@ class TriangleTree {
                           double max_t = std::numeric_limits<double>::infinity()) const;
 
   private:
-    static constexpr int kWidth = 4;
-    struct Node {  // boxes of the four children, coordinate by coordinate
-        float lower[3][kWidth], upper[3][kWidth];
-    };
-    struct Triangle {
-        double a[3], b[3], c[3];
+    struct Corners {
+        std::uint32_t vertex[3];
     };
 
     void sort_primitives(const PointsRef& vertices, const TrianglesRef& triangles,
                          const Context& context);
+    void build_blocks(const Context& context);
     void build_boxes(const Context& context);
-    void test_block(std::uint32_t block, const Vector3& point, SurfaceHit& best) const;
+    tree_search::Tree view() const;
+    Vector3 corner(std::size_t slot, int k) const { return places_.row(corners_[slot].vertex[k]).transpose(); }
     void test_slot(std::uint32_t slot, const Vector3& point, SurfaceHit& best) const;
     template <typename Visit>
-    void walk_ray(const Vector3& origin, const Vector3& direction, double& max_t,
-                  Visit&& visit) const;
+    void walk_ray(const Vector3& origin, const Vector3& direction, double max_t, const Visit& visit) const;
 
     bool point_cloud_ = false;
+    std::uint32_t block_size_ = 8;  // primitives in a leaf: 1 for a cloud
+    float extent_ = 0;
     Vector3 centre_ = Vector3::Zero(), lower_ = Vector3::Zero(), upper_ = Vector3::Zero();
-    std::vector<Triangle> primitives_;      // in tree order, relative to centre_
-    std::vector<std::uint32_t> id_of_;      // slot -> triangle
-    std::vector<std::uint32_t> slot_of_;    // triangle -> slot
-    std::vector<Node> nodes_;               // level 0 (children are blocks) first
+    Points places_;                           // vertices relative to centre_
+    std::vector<Corners> corners_;            // in tree order
+    std::vector<std::uint32_t> id_of_;        // slot -> triangle
+    std::vector<std::uint32_t> slot_of_;      // triangle -> slot
+    std::vector<tree_search::Block> blocks_;  // of eight triangles
+    std::vector<tree_search::Node> nodes_;    // level 0 (children are blocks) first
     std::vector<std::uint32_t> level_begin_;  // first node of each level
 };
 

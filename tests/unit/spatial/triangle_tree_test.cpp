@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <random>
 
+#include "base/dense.hpp"
 #include "base/error.hpp"
 #include "base/thread_pool.hpp"
 #include "spatial/triangle_distance.hpp"
@@ -181,6 +183,106 @@ TEST(TriangleTree, RaysHitTheNearestTriangleAndCountAllCrossings) {
         EXPECT_EQ(tree.count_crossings(Vector3(x, y, 100), Vector3(0, 0, -2), 45), 1);
     }
     EXPECT_FALSE(tree.first_hit(Vector3(-5, -5, 100), Vector3(0, 0, -1)).valid());
+}
+
+// Triangles of any shape: large, small, needles and some without area.
+Surface jumble(Index count, unsigned seed) {
+    const Points corners = scattered(3 * count, 30, seed), shapes = scattered(count, 2, seed + 1);
+    Surface s;
+    s.vertices = corners;
+    s.triangles.resize(count, 3);
+    for (Index t = 0; t < count; ++t) {
+        const auto a = static_cast<std::uint32_t>(3 * t);
+        s.triangles.row(t) << a, a + 1, a + 2;
+        const double thin = t % 5 == 0 ? 0 : std::pow(10.0, -static_cast<double>(t % 9));
+        const Eigen::RowVector3d along = corners.row(3 * t + 1) - corners.row(3 * t);
+        s.vertices.row(3 * t + 1) = s.vertices.row(3 * t) + (0.1 + 0.2 * std::abs(shapes(t, 0))) * along;
+        s.vertices.row(3 * t + 2) = s.vertices.row(3 * t) + 0.07 * along + thin * shapes.row(t);
+    }
+    return s;
+}
+
+TEST(TriangleTree, AnyShapeOfTriangleIsFound) {
+    for (Index count : {1, 9, 65, 700}) {
+        const Surface s = jumble(count, 11);
+        const TriangleTree tree(s.vertices, s.triangles, {});
+        const Points queries = scattered(400, 40, 12);
+        for (Index i = 0; i < queries.rows(); ++i) {
+            const Vector3 p = queries.row(i).transpose();
+            const SurfaceHit truth = brute_force(s, p), hit = tree.closest(p);
+            ASSERT_EQ(hit.triangle, truth.triangle) << count << " triangles, query " << i;
+            EXPECT_NEAR(hit.squared_distance, truth.squared_distance, 1e-7 * (1 + truth.squared_distance));
+        }
+    }
+}
+
+TEST(TriangleTree, RaysMeetEachTriangleOnce) {
+    // Also where the last nodes have fewer children than eight.
+    for (Index count : {1, 7, 9, 63, 65, 513, 700}) {
+        const Surface s = jumble(count, 21);
+        const TriangleTree tree(s.vertices, s.triangles, {});
+        const Points from = scattered(150, 60, 22), to = scattered(150, 30, 23);
+        for (Index i = 0; i < from.rows(); ++i) {
+            const Vector3 origin = from.row(i).transpose(), direction = 0.01 * (to.row(i) - from.row(i)).transpose();
+            Index crossed = 0;
+            double nearest = std::numeric_limits<double>::infinity();
+            for (Index t = 0; t < count; ++t) {
+                const Vector3 a = s.vertices.row(s.triangles(t, 0)).transpose();
+                const Vector3 ab = s.vertices.row(s.triangles(t, 1)).transpose() - a;
+                const Vector3 ac = s.vertices.row(s.triangles(t, 2)).transpose() - a, from_a = origin - a;
+                const double determinant = ab.dot(direction.cross(ac));
+                if (determinant == 0) continue;
+                const double v = from_a.dot(direction.cross(ac)) / determinant, w = direction.dot(from_a.cross(ab)) / determinant;
+                const double t_hit = ac.dot(from_a.cross(ab)) / determinant;
+                if (!(v >= 0 && w >= 0 && v + w <= 1 && t_hit >= 0)) continue;
+                ++crossed;
+                nearest = std::min(nearest, t_hit);
+            }
+            EXPECT_EQ(tree.count_crossings(origin, direction), crossed) << count << " triangles, ray " << i;
+            const RayHit hit = tree.first_hit(origin, direction);
+            ASSERT_EQ(hit.valid(), crossed > 0);
+            if (hit.valid()) EXPECT_NEAR(hit.t, nearest, 1e-6 * (1 + nearest));
+        }
+    }
+}
+
+TEST(TriangleTree, InstructionSetsGiveTheSameBits) {
+    const Surface s = jumble(3000, 31);
+    const TriangleTree tree(s.vertices, s.triangles, {});
+    const Points queries = scattered(2000, 40, 32);
+    std::vector<SurfaceHit> hits[2];
+    std::vector<RayHit> rays[2];
+    for (int portable = 0; portable < 2; ++portable) {
+        dense::use_portable_loops(portable == 1);
+        tree.closest(queries, 1e9, hits[portable], {});
+        for (Index i = 0; i + 1 < queries.rows(); ++i)
+            rays[portable].push_back(tree.first_hit(queries.row(i).transpose(), (queries.row(i + 1) - queries.row(i)).transpose()));
+    }
+    dense::use_portable_loops(false);
+    for (std::size_t i = 0; i < hits[0].size(); ++i) {
+        EXPECT_EQ(hits[0][i].triangle, hits[1][i].triangle);
+        EXPECT_EQ(hits[0][i].point, hits[1][i].point);
+    }
+    for (std::size_t i = 0; i < rays[0].size(); ++i) {
+        EXPECT_EQ(rays[0][i].triangle, rays[1][i].triangle);
+        EXPECT_EQ(rays[0][i].t, rays[1][i].t);
+    }
+}
+
+TEST(TriangleTree, PlacesBeyondSinglePrecisionFindNothing) {
+    const Surface s = jumble(9, 41);  // seven places of the last block are missing
+    const TriangleTree tree(s.vertices, s.triangles, {});
+    const TriangleTree huge(1e200 * s.vertices, s.triangles, {});
+    const double infinity = std::numeric_limits<double>::infinity();
+    for (const double far : {1e30, 1e60, 1e300, infinity, std::nan("")}) {
+        for (const Vector3& p : {Vector3(far, 0, 0), Vector3(1, -far, far), Vector3(far, far, far)}) {
+            EXPECT_FALSE(tree.closest(p).valid());
+            EXPECT_FALSE(huge.closest(p).valid());
+            EXPECT_FALSE(tree.first_hit(p, Vector3(-1, -1, -1)).valid());
+            EXPECT_FALSE(huge.first_hit(p, Vector3(-1, -1, -1)).valid());
+            EXPECT_EQ(tree.count_crossings(Vector3(40, 40, 40), p, 1e-3), 0);
+        }
+    }
 }
 
 TEST(TriangleTree, EmptyMeshIsATypedError) {
