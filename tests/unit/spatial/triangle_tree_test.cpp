@@ -241,7 +241,7 @@ TEST(TriangleTree, RaysMeetEachTriangleOnce) {
             EXPECT_EQ(tree.count_crossings(origin, direction), crossed) << count << " triangles, ray " << i;
             const RayHit hit = tree.first_hit(origin, direction);
             ASSERT_EQ(hit.valid(), crossed > 0);
-            if (hit.valid()) EXPECT_NEAR(hit.t, nearest, 1e-6 * (1 + nearest));
+            if (hit.valid()) { EXPECT_NEAR(hit.t, nearest, 1e-6 * (1 + nearest)); }
         }
     }
 }
