@@ -58,6 +58,11 @@ else
     needed=$($readelf -dW "$library" | sed -n 's/.*NEEDED.*\[\(.*\)\]/\1/p' | tr '\n' ' ')
     allowed='libc.so.6|libm.so.6|ld-linux-.*'
 fi
+# Names that the loader would not find, where this machine can load it.
+if [ "$machine" = "linux-$(uname -m)" ] && ldd -r "$library" | grep -E 'undefined|not found'; then
+    echo "FAILED: the library has unresolved names" >&2
+    exit 1
+fi
 size=$(wc -c <"$library")
 echo "$archive: $(wc -c <"$archive") bytes, $(wc -l <"$root/MANIFEST.txt") files"
 echo "$(basename "$library"): $size bytes, needs $needed"

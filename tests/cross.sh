@@ -3,8 +3,8 @@
 #   sh tests/cross.sh [linux-x86_64] [linux-aarch64] [windows-x86_64]    (default: all three)
 # 64-bit ARM runs through qemu-user, Windows through wine; what is missing is installed by apt. Each archive
 # is unpacked into an empty folder and used as a stranger would: the first program in C does the main job on
-# the project's own demo data, a program of the first release runs, and every function is called with every
-# wrong argument. The neutral face must agree with this machine's own build to 0.001 mm (abi/README.md, promises).
+# the project's own demo data, a program of the first release runs, file names are UTF-8, and every function is called
+# with every wrong argument. The neutral face must agree with this machine's own build to 0.001 mm (abi/README.md, promises).
 #   MIEN_NATIVE  a build of this machine with bin/mien and bin/mien-demo-data (default build/release)
 #   MIEN_WORK    keeps dependencies and objects for the next run (default build/cross)
 set -eu
@@ -71,6 +71,8 @@ for machine; do
     ${cross}gcc$posix -std=c99 $warnings -pedantic "$project/examples/c/first_program.c" -I"${root}include" $link -o "$programs/first$exe"
     # shellcheck disable=SC2086
     ${cross}gcc$posix -std=c99 $warnings "$project/tests/abi/previous_release.c" -I"$project/abi/baseline" $link -lm -o "$programs/previous$exe"
+    # shellcheck disable=SC2086
+    ${cross}gcc$posix -std=c99 $warnings "$project/tests/abi/utf8_paths.c" -I"${root}include" $link -o "$programs/utf8_paths$exe"
     python3 "$project/tests/abi/generate_abuse.py" "${root}include/mien" "$programs/abuse_tables.inc"
     # shellcheck disable=SC2086
     ${cross}g++$posix -std=c++17 -O1 "$project"/tests/abi/abuse/*.cpp -I"$programs" -I"${root}include" $link -o "$programs/abuse$exe"
@@ -79,6 +81,7 @@ for machine; do
     run "./first$exe" "$demo/face.safetensors" "$demo/expressions.safetensors" "$demo/scan/scan_grin.ply" neutral.ply >first.log
     python3 "$project/tests/bindings/compare_ply.py" "$demo/neutral.ply" neutral.ply 0.001
     run "./previous$exe"
+    run "./utf8_paths$exe"
     run "./abuse$exe" - 20000
     cd "$work"
 done

@@ -1,15 +1,17 @@
 /* What an embedded host asks of a library: it can be loaded and unloaded for ever, works on small stacks,
  * under a foreign decimal point and with an empty environment, prints nothing, starts no thread that was
- * not asked for, writes no file, and keeps its memory budget. */
+ * not asked for, writes no file, needs no disk, and keeps its memory budget. */
 #include <dirent.h>
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <locale.h>
 #include <mien/mien.h>
 #include <pthread.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 static int faults = 0;
@@ -143,6 +145,7 @@ int main(int argc, char **argv)
     long before = 0;
     pthread_attr_t attributes;
     pthread_t thread;
+    struct rlimit disk, no_disk;
     void *library;
     api mien;
     if (argc < 2 || realpath(argv[1], folder) == NULL) return 2;
@@ -193,6 +196,15 @@ int main(int argc, char **argv)
     check(pthread_create(&thread, &attributes, on_small_stack, &mien) == 0, "cannot start a thread");
     pthread_join(thread, NULL);
     check(small_stack_status == MIEN_OK, "a model cannot be built on a stack of 256 KiB");
+
+    /* No disk: every write to a file fails. */
+    signal(SIGXFSZ, SIG_IGN);
+    getrlimit(RLIMIT_FSIZE, &disk);
+    no_disk = disk;
+    no_disk.rlim_cur = 0;
+    setrlimit(RLIMIT_FSIZE, &no_disk);
+    check(work(&mien, 0, NULL, 0) == MIEN_OK, "a model cannot be built without a disk to write to");
+    setrlimit(RLIMIT_FSIZE, &disk);
 
     check(work(&mien, 20000, NULL, 0) == MIEN_E_MEMORY_BUDGET, "a budget of 20 kB is not kept");
     check(work(&mien, 0, NULL, 0) == MIEN_OK, "a model cannot be built after a refused one");

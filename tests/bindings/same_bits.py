@@ -103,6 +103,8 @@ def main():
 
     neutral = {}
     host("C", neutral, [build / "bin/mien-first-program", *models, work / "c.ply"], work / "c.ply")
+    small = ["sh", "-c", 'ulimit -s 256 && exec "$@"', "sh"]
+    host("C, stack of 256 kB", neutral, [*small, build / "bin/mien-first-program", *models, work / "small.ply"], work / "small.ply")
     host("C++", neutral, [build / "bin/mien-main-job", *models, work / "cpp_fitted.ply", work / "cpp.ply", work / "cpp_file.ply"],
          work / "cpp.ply")
 
