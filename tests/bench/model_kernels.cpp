@@ -48,10 +48,10 @@ struct Candidate {
 
 const std::vector<Candidate>& candidates() {
     static const std::vector<Candidate> list{
-        {"Euclidean", KernelKind::euclidean_se, {10, 14, 18, 22}},
+        {"Euclidean", KernelKind::euclidean_se, {5, 7, 10, 12, 14, 18}},
         {"Geodesic", KernelKind::geodesic_se, {12, 16, 20, 25}},
         {"Spline", KernelKind::bspline, {40, 55, 70}},
-        {"Matern", KernelKind::surface_matern, {20, 28, 40}}};
+        {"Matern", KernelKind::surface_matern, {10, 14, 20, 28, 40}}};
     return list;
 }
 
