@@ -131,10 +131,9 @@ JointSpan find_joint_span(const Context& context, const ColumnSource& source,
     PassCounter counter(context, 2 * options.passes + 3);
 
     JointSpan span;
-    span.mean = Vector::Zero(rows);
-    for_each_block(source, true, span.mean, buffer,
-                   [&](Index, auto block) { span.mean += block.rowwise().sum(); });
-    span.mean /= static_cast<double>(source.num_neutrals());
+    Vector sum = Vector::Zero(rows);
+    for_each_block(source, true, Vector::Zero(rows), buffer, [&](Index, auto block) { sum += block.rowwise().sum(); });
+    span.mean = sum / static_cast<double>(source.num_neutrals());
     counter.step();
 
     {

@@ -5,6 +5,7 @@
 // Writes FOLDER/size.safetensors block by block, trains 50 + 50 modes from it, neutralizes one face many times
 // and deletes the file. Prints times, and the peak of the resident memory of each step as the kernel counts it,
 // mapped pages of the file included. Linux only: it reads and resets /proc/self.
+#include <Eigen/Geometry>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -160,13 +161,28 @@ int main(int argc, char** argv) try {
         result = neutralize(context, *model, face, Vector(), {});
         begin = seconds();
         const std::clock_t before = std::clock();
-        constexpr int kRounds = 100;
+        constexpr int kRounds = 20;
         for (int round = 0; round < kRounds; ++round) result = neutralize(context, *model, face, Vector(), {});
         std::printf("one neutralization, %d threads: %.2f ms (%.2f ms of processor)\n", threads,
                     1e3 * (seconds() - begin) / kRounds, 1e3 * double(std::clock() - before) / CLOCKS_PER_SEC / kRounds);
     }
-    std::printf("its error: %.3f mm from %.3f mm\n", (result.neutral_vertices - neutral).rowwise().norm().mean(),
-                (face - neutral).rowwise().norm().mean());
+    context.pool = &pool;
+    auto report_error = [&](const char* name) {
+        std::printf("%s: %.3f mm from the neutral face, before %.3f mm; residual %.3f mm (expected at most %.3f), "
+                    "noise %.3g mm2, turned %.2f degrees, doubted share %.3f\n",
+                    name, (result.neutral_vertices - neutral).rowwise().norm().mean(),
+                    (face - neutral).rowwise().norm().mean(), result.residual_rms_mm, model->expected_residual_mm,
+                    result.noise_mm2, Eigen::AngleAxisd(result.pose.rotation).angle() * 57.29578, result.doubted_share);
+        for (const std::string& warning : neutralization_warnings(*model, result)) std::printf("  %s\n", warning.c_str());
+    };
+    report_error("automatic pose");
+    NeutralizeOptions options_keep;
+    options_keep.pose = Pose::keep;
+    result = neutralize(context, *model, face, Vector(), options_keep);
+    report_error("kept pose");
+    options_keep.fit.noise_mm2 = model->mixture_noise_mm2;
+    result = neutralize(context, *model, face, Vector(), options_keep);
+    report_error("kept pose, given noise (no doubt)");
     std::remove(path.c_str());
     return 0;
 } catch (const Error& error) {

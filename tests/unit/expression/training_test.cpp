@@ -37,6 +37,19 @@ TEST(Training, FindsOrthonormalModesThatExplainTheStudy) {
     EXPECT_EQ(model->components.size(), study.names.size() + 1);
 }
 
+TEST(Training, MeanOfMoreSubjectsThanOneBlockHolds) {
+    const Study study;
+    constexpr int kSubjects = 400;  // three blocks of columns; the running sum used to be taken off the later ones
+    const auto model = train_expression_model(study.dataset(0, kSubjects, "many"), small_options(), Context());
+    Points mean = Points::Zero(study.rest.rows(), 3);
+    for (int subject = 0; subject < kSubjects; ++subject) mean += study.neutral(subject) / kSubjects;
+    EXPECT_LT((model->mean - mean).cwiseAbs().maxCoeff(), 1e-4);  // the file holds floats
+    const Points face = study.face(kSubjects + 1, 1), neutral = study.neutral(kSubjects + 1);
+    const NeutralizationResult result = neutralize(Context(), *model, face, Vector(), {});
+    EXPECT_LT((result.neutral_vertices - neutral).norm(), 0.2 * (face - neutral).norm());
+    EXPECT_LT(model->identity_deviations.maxCoeff(), 200.0);
+}
+
 TEST(Training, QuasiOrthogonalSubspacesAreMoreOrthogonal) {
     const Study study;
     const auto data = study.dataset(0, study.subjects, "quasi");
