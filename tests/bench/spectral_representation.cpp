@@ -1,5 +1,6 @@
 // DR round trips on a data set, and interpolation half-way between two expressions:
 //   spectral_representation TEMPLATE DATASET [EXPRESSION_A EXPRESSION_B]
+#include <algorithm>
 #include <cstdio>
 
 #include "geometry/alignment.hpp"
@@ -13,24 +14,25 @@ namespace {
 
 using namespace mien;
 
-/// Deviation of the edge lengths from the mean of both ends: mean of the relative ones, sum of the
-/// absolute ones over the sum of lengths, and the median of the relative ones.
-Vector3 edge_error(const EdgeTable& edges, const Points& a, const Points& b, const Points& x) {
+/// Deviation of the edge lengths from the mean of both ends, in %: mean and median of the relative
+/// ones, and sum of the absolute ones over the sum of lengths. Only edges whose ends move by
+/// `least_mm` or more from a to b count.
+Vector3 edge_error(const EdgeTable& edges, const Points& a, const Points& b, const Points& x, double least_mm) {
     double sum = 0, absolute = 0, total = 0;
     std::vector<double> relative;
     for (const auto& e : edges.edges) {
         const double wanted = 0.5 * ((a.row(e[0]) - a.row(e[1])).norm() + (b.row(e[0]) - b.row(e[1])).norm());
         const double length = (x.row(e[0]) - x.row(e[1])).norm();
-        // Only what the expression moved: a fixed scalp would hide the face.
-        if ((a.row(e[0]) - b.row(e[0])).norm() < 2.0) continue;
+        if ((a.row(e[0]) - b.row(e[0])).norm() < least_mm || (a.row(e[1]) - b.row(e[1])).norm() < least_mm)
+            continue;
         relative.push_back(std::abs(length / wanted - 1));
         sum += relative.back();
         absolute += std::abs(length - wanted);
         total += wanted;
     }
     std::nth_element(relative.begin(), relative.begin() + relative.size() / 2, relative.end());
-    return {100 * sum / static_cast<double>(relative.size()), 100 * absolute / total,
-            100 * relative[relative.size() / 2]};
+    return {100 * sum / static_cast<double>(relative.size()), 100 * relative[relative.size() / 2],
+            100 * absolute / total};
 }
 
 }  // namespace
@@ -72,7 +74,7 @@ int main(int argc, char** argv) {
             return std::printf("\n"), 0;
         }
         const EdgeTable edges = build_edge_table(mesh.triangles, mesh.vertices.rows(), context);
-        Vector3 euclidean = Vector3::Zero(), deformed = euclidean, from_own = euclidean;
+        Matrix3 all = Matrix3::Zero(), moving = all;  // columns: euclidean, mean shape, first face
         int count = 0;
         for (Index i = 0; i < data.num_faces(); ++i)
             for (Index j = 0; j < data.num_faces(); ++j)
@@ -81,31 +83,31 @@ int main(int argc, char** argv) {
                     Points a, b;
                     data.face(i, a);
                     data.face(j, b);
-                    // From the mean shape, and from the first face itself.
-                    const Features half = 0.5 * (dr.encode(a, context) + dr.encode(b, context));
-                    euclidean += edge_error(edges, a, b, 0.5 * (a + b));
-                    deformed += edge_error(edges, a, b, dr.decode(half, context));
                     TriMesh own = mesh;
                     own.vertices = a;
                     const DeformationRepresentation own_dr(own, context);
-                    const Features own_half = 0.5 * own_dr.encode(b, context);
-                    from_own += edge_error(edges, a, b, own_dr.decode(own_half, context));
+                    const Points half[] = {
+                        0.5 * (a + b), dr.decode(0.5 * (dr.encode(a, context) + dr.encode(b, context)), context),
+                        own_dr.decode(0.5 * own_dr.encode(b, context), context)};
+                    for (int k = 0; k < 3; ++k) {
+                        all.col(k) += edge_error(edges, a, b, half[k], 0);
+                        moving.col(k) += edge_error(edges, a, b, half[k], 2);
+                    }
                     if (count++ == 0) {
                         TriMesh out = mesh;
-                        out.vertices = dr.decode(half, context);
+                        out.vertices = half[1];
                         write_mesh_file("half_dr.ply", out, context);
-                        out.vertices = 0.5 * (a + b);
+                        out.vertices = half[0];
                         write_mesh_file("half_euclidean.ply", out, context);
                     }
                 }
-        std::printf("half-way %s - %s, %d subjects, edges that move by 2 mm or more: mean relative error, "
-                    "absolute over length, median, in %%\n", names[0], names[1], count);
-        const auto print = [&](const char* name, const Vector3& e) {
-            std::printf("  %-22s %.4f  %.4f  %.4f\n", name, e[0] / count, e[1] / count, e[2] / count);
-        };
-        print("euclidean", euclidean);
-        print("DR on the mean shape", deformed);
-        print("DR on the first face", from_own);
+        std::printf("half-way %s - %s, %d subjects: deviation of the edges from the mean of both lengths, %%: mean, "
+                    "median, sum over length; all edges | edges that move by 2 mm or more\n", names[0], names[1], count);
+        const char* titles[] = {"euclidean", "DR on the mean shape", "DR on the first face"};
+        for (int k = 0; k < 3; ++k)
+            std::printf("  %-22s %.4f  %.4f  %.4f | %.4f  %.4f  %.4f\n", titles[k], all(0, k) / count,
+                        all(1, k) / count, all(2, k) / count, moving(0, k) / count, moving(1, k) / count,
+                        moving(2, k) / count);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return 1;
