@@ -69,6 +69,18 @@ void write_distance(JsonText& json, const DistanceSummary& zone) {
     json.end_object();
 }
 
+void write_curvature(JsonText& json, const CurvatureSummary& zone) {
+    json.begin_object();
+    json.field("name", zone.name);
+    json.field("mean_mean_per_mm", zone.mean_mean_per_mm);
+    json.field("sd_mean_per_mm", zone.sd_mean_per_mm);
+    json.field("mean_gaussian_per_mm2", zone.mean_gaussian_per_mm2);
+    json.field("mean_maximal_per_mm", zone.mean_maximal_per_mm);
+    json.field("mean_minimal_per_mm", zone.mean_minimal_per_mm);
+    json.field("bending_per_mm", zone.bending_per_mm);
+    json.end_object();
+}
+
 }  // namespace
 
 Measurement measure_volume_fully(const PointsRef& before, const PointsRef& after,
@@ -157,6 +169,19 @@ std::string measurement_json(const Measurement& m) {
         json.key("zones");
         json.begin_array();
         for (const DistanceSummary& zone : m.distance->zones) write_distance(json, zone);
+        json.end_array();
+        json.end_object();
+    }
+    if (m.curvature) {
+        json.key("curvature");
+        json.begin_object();
+        json.field("unit", std::string("1/mm, Gaussian 1/mm^2"));
+        json.field("sign", std::string("positive: bulges outwards"));
+        json.key("whole");
+        write_curvature(json, m.curvature->whole);
+        json.key("zones");
+        json.begin_array();
+        for (const CurvatureSummary& zone : m.curvature->zones) write_curvature(json, zone);
         json.end_array();
         json.end_object();
     }

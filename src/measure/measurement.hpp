@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "measure/curvature_summary.hpp"
 #include "measure/distance.hpp"
 #include "measure/scan_volume.hpp"
 #include "measure/uncertainty.hpp"
@@ -33,6 +34,7 @@ struct Measurement {
     double limit_of_detection_ml = 0.0;
     VertexVolumes shares;  ///< empty unless `volume`
     std::optional<DistanceReport> distance;
+    std::optional<CurvatureReport> curvature;
     std::vector<std::string> zone_names;
 };
 
