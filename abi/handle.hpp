@@ -29,6 +29,7 @@ enum class Tag : std::uint32_t {
     transfer = 0x4D53000F,
     tuning = 0x4D530020,
     evaluation = 0x4D530010,
+    visits = 0x4D530012,
 };
 
 /// Base of every object behind a handle. Never moved; freed by release().

@@ -5,6 +5,7 @@
 #include "geometry/rigid_zone.hpp"
 #include "guard.hpp"
 #include "measure/area.hpp"
+#include "measure/lengths.hpp"
 #include "measure/measurement.hpp"
 #include "measure/pair_check.hpp"
 #include "measure/scan_volume.hpp"
@@ -174,6 +175,44 @@ mien_status MIEN_CALL mien_measure_area(mien_session* session, const mien_mesh* 
     });
 }
 
+mien_status MIEN_CALL mien_measure_curvature(mien_session* session, const mien_mesh* mesh, double radius_mm,
+                                             int32_t robust, const mien_measure_options* options,
+                                             mien_measurement** out, mien_error* error) {
+    return guarded_create(out, error, [&] {
+        const mien_measure_options given = read_measure_options(options);
+        const TriMesh& data = *checked(mesh, "mesh").mesh;
+        const Call call(session, given.progress, given.progress_user, given.cancel);
+        check_numbers({{"radius_mm", radius_mm}});
+        if (robust != 0 && robust != 1) fail(Status::invalid_argument, "robust is %d, allowed are 0 and 1", robust);
+        const std::vector<Zone> zones = zones_of(given, data);
+        Measurement result;
+        for (const Zone& zone : zones) result.zone_names.push_back(zone.name);
+        result.curvature =
+            measure_curvature(data.vertices, data.triangles, zones, {radius_mm, robust == 1}, call.context());
+        return new mien_measurement(std::move(result));
+    });
+}
+
+mien_status MIEN_CALL mien_measure_lengths(mien_session* session, const mien_mesh* mesh, const uint32_t* pairs,
+                                           uint64_t pair_count, double* straight_mm, double* geodesic_mm,
+                                           mien_error* error) {
+    return guarded(error, [&] {
+        const TriMesh& data = *checked(mesh, "mesh").mesh;
+        const Call call(session);
+        if (pair_count == 0) fail(Status::invalid_argument, "pair_count is 0");
+        check_array(pairs, pair_count, alignof(uint32_t), static_cast<std::uint64_t>(data.vertices.rows()), "pairs");
+        check_output(straight_mm, "straight_mm");
+        check_output(geodesic_mm, "geodesic_mm");
+        std::vector<std::array<std::uint32_t, 2>> ends(static_cast<std::size_t>(pair_count));
+        for (std::size_t k = 0; k < ends.size(); ++k) ends[k] = {pairs[2 * k], pairs[2 * k + 1]};
+        const std::vector<PlaceLength> lengths = measure_lengths(data.vertices, data.triangles, ends, call.context());
+        for (std::size_t k = 0; k < lengths.size(); ++k) {
+            if (straight_mm != nullptr) straight_mm[k] = lengths[k].straight_mm;
+            if (geodesic_mm != nullptr) geodesic_mm[k] = lengths[k].geodesic_mm;
+        }
+    });
+}
+
 mien_status MIEN_CALL mien_measure_scan_volume(mien_session* session, const mien_mesh* before,
                                                const mien_mesh* after, int32_t carry,
                                                const double* direction, const mien_measure_options* options,
@@ -208,9 +247,19 @@ mien_status MIEN_CALL mien_measure_align(mien_session* session, const mien_mesh*
         const TriMesh& source = *checked(moving, "moving").mesh;
         const TriMesh& fixed = *checked(target, "target").mesh;
         const Call call(session);
-        const Zone zone = stable != nullptr ? checked_zone(stable, source) : Zone();
-        check_faces_in_correspondence(fixed.vertices, source.vertices, fixed.triangles);
-        const RigidZoneResult result = align_fits_on_zone(source.vertices, fixed, zone.vertices, call.context());
+        const Zone zone = stable != nullptr ? checked_zone(stable, fixed) : Zone();
+        const bool in_correspondence = source.vertices.rows() == fixed.vertices.rows() &&
+                                       (source.triangles.rows() == 0 || (source.triangles.rows() == fixed.triangles.rows() &&
+                                                                         source.triangles == fixed.triangles));
+        RigidZoneResult result;
+        if (in_correspondence) {
+            check_faces_in_correspondence(fixed.vertices, source.vertices, fixed.triangles);
+            result = align_fits_on_zone(source.vertices, fixed, zone.vertices, call.context());
+        } else {
+            check_surface(source.vertices, source.triangles, "moving");
+            check_surface(fixed.vertices, fixed.triangles, "target");
+            result = align_scans_on_zone(source, fixed, zone.vertices, Similarity(), {}, call.context());
+        }
         TriMesh moved = source;
         moved.vertices = result.motion.apply(PointsRef(source.vertices));
         auto made = std::make_unique<mien_mesh>(std::make_shared<const TriMesh>(std::move(moved)));
@@ -310,6 +359,13 @@ mien_status MIEN_CALL mien_measurement_get_field(const mien_measurement* measure
         if (field == MIEN_FIELD_DISTANCE_MM && data.distance) values = &data.distance->length_mm;
         if (field == MIEN_FIELD_POSITIVE_VOLUME_MM3 && data.shares.positive_mm3.size() > 0) values = &data.shares.positive_mm3;
         if (field == MIEN_FIELD_NEGATIVE_VOLUME_MM3 && data.shares.negative_mm3.size() > 0) values = &data.shares.negative_mm3;
+        if (data.curvature) {
+            const CurvatureField& bent = data.curvature->field;
+            if (field == MIEN_FIELD_CURVATURE_MAXIMAL) values = &bent.maximal;
+            if (field == MIEN_FIELD_CURVATURE_MINIMAL) values = &bent.minimal;
+            if (field == MIEN_FIELD_CURVATURE_MEAN) values = &bent.mean;
+            if (field == MIEN_FIELD_CURVATURE_GAUSSIAN) values = &bent.gaussian;
+        }
         if (values == nullptr)
             fail(Status::not_found, "this measurement has no field %d", field);
         copy_rows(values->data(), static_cast<uint64_t>(values->size()), sizeof(double), dst, capacity, count);

@@ -90,6 +90,10 @@ namespace Mien.Native
         internal const int MIEN_FIELD_DISTANCE_MM = 2;
         internal const int MIEN_FIELD_POSITIVE_VOLUME_MM3 = 3;
         internal const int MIEN_FIELD_NEGATIVE_VOLUME_MM3 = 4;
+        internal const int MIEN_FIELD_CURVATURE_MAXIMAL = 5;
+        internal const int MIEN_FIELD_CURVATURE_MINIMAL = 6;
+        internal const int MIEN_FIELD_CURVATURE_MEAN = 7;
+        internal const int MIEN_FIELD_CURVATURE_GAUSSIAN = 8;
         internal const int MIEN_CARRY_CLOSEST_POINT = 1;
         internal const int MIEN_CARRY_DIRECTION = 2;
         internal const int MIEN_CARRY_VERTEX_NORMAL = 3;
@@ -524,6 +528,21 @@ namespace Mien.Native
         public ulong stableCount;
     }
 
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct VisitsOptions
+    {
+        public uint structSize;
+        public int pose;
+        public double normalNoiseMm2;
+        public double tangentialNoiseMm2;
+        public IntPtr treatedVertices;
+        public ulong treatedCount;
+        public ArrayView weights;
+        public IntPtr progress;
+        public IntPtr progressUser;
+        public IntPtr cancel;
+    }
+
     internal sealed class SessionHandle : Handle
     {
         protected override bool ReleaseHandle() { Functions.mien_session_release(handle); return true; }
@@ -607,6 +626,11 @@ namespace Mien.Native
     internal sealed class BlendshapeModelHandle : Handle
     {
         protected override bool ReleaseHandle() { Functions.mien_blendshape_model_release(handle); return true; }
+    }
+
+    internal sealed class VisitsHandle : Handle
+    {
+        protected override bool ReleaseHandle() { Functions.mien_visits_release(handle); return true; }
     }
 
     internal static unsafe partial class Functions
@@ -1303,6 +1327,22 @@ namespace Mien.Native
 
 #if NET7_0_OR_GREATER
         [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_measure_curvature(SessionHandle session, MeshHandle mesh, double radius_mm, int robust, ref MeasureOptions options, out MeasurementHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_measure_curvature(SessionHandle session, MeshHandle mesh, double radius_mm, int robust, ref MeasureOptions options, out MeasurementHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_measure_lengths(SessionHandle session, MeshHandle mesh, IntPtr pairs, ulong pair_count, IntPtr straight_mm, IntPtr geodesic_mm, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_measure_lengths(SessionHandle session, MeshHandle mesh, IntPtr pairs, ulong pair_count, IntPtr straight_mm, IntPtr geodesic_mm, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial int mien_measure_scan_volume(SessionHandle session, MeshHandle before, MeshHandle after, int carry, IntPtr direction, ref MeasureOptions options, IntPtr coverage, out MeasurementHandle @out, ref Error error);
 #else
         [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
@@ -1867,6 +1907,54 @@ namespace Mien.Native
 #else
         [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int mien_expression_model_merge(SessionHandle session, IntPtr[] shard_paths, uint shard_count, ref TrainOptions options, out ExpressionModelHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_visits_options_init(ref VisitsOptions options, UIntPtr struct_size);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_visits_options_init(ref VisitsOptions options, UIntPtr struct_size);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_neutralize_visits(SessionHandle session, ExpressionModelHandle model, out MeshHandle faces, uint face_count, ref VisitsOptions options, out VisitsHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_neutralize_visits(SessionHandle session, ExpressionModelHandle model, out MeshHandle faces, uint face_count, ref VisitsOptions options, out VisitsHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_visits_get_mesh(VisitsHandle visits, int index, out MeshHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_visits_get_mesh(VisitsHandle visits, int index, out MeshHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_visits_get_expression(VisitsHandle visits, int index, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_visits_get_expression(VisitsHandle visits, int index, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_visits_get_removed_volume(VisitsHandle visits, int first, int second, ref Zone zone, IntPtr removed_ml, IntPtr sd_ml, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_visits_get_removed_volume(VisitsHandle visits, int first, int second, ref Zone zone, IntPtr removed_ml, IntPtr sd_ml, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_visits_release(IntPtr visits);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_visits_release(IntPtr visits);
 #endif
     }
 }

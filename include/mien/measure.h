@@ -72,7 +72,11 @@ enum {
     MIEN_FIELD_SIGNED_DISTANCE_MM = 1, /**< along the normal of the before face */
     MIEN_FIELD_DISTANCE_MM = 2,        /**< length of the displacement or to the closest place */
     MIEN_FIELD_POSITIVE_VOLUME_MM3 = 3,
-    MIEN_FIELD_NEGATIVE_VOLUME_MM3 = 4
+    MIEN_FIELD_NEGATIVE_VOLUME_MM3 = 4,
+    MIEN_FIELD_CURVATURE_MAXIMAL = 5,  /**< 1/mm, positive where the surface bulges outwards */
+    MIEN_FIELD_CURVATURE_MINIMAL = 6,  /**< 1/mm */
+    MIEN_FIELD_CURVATURE_MEAN = 7,     /**< 1/mm */
+    MIEN_FIELD_CURVATURE_GAUSSIAN = 8  /**< 1/mm^2 */
 };
 
 /**
@@ -200,6 +204,55 @@ MIEN_API mien_status MIEN_CALL mien_measure_area(mien_session *session, const mi
                                                  const mien_zone *zone, double *area_mm2,
                                                  mien_error *error);
 
+/**
+ * Curvatures of a surface, per vertex and per zone, by fits of a cubic around each vertex.
+ *
+ * @param session   [in] not null.
+ * @param mesh      [in] not null; #V x 3, mm, with triangles counter-clockwise seen from outside.
+ * @param radius_mm [in] > 0; of the fits: what is smaller is smoothed away. 6 suits fitted faces.
+ * @param robust    [in] 1: a second fit leaves spikes and lashes out; 0: none.
+ * @param options   [in] may be null; zones, progress and cancel are read.
+ * @param out       [out] not null; the measurement, or null on failure. Its JSON holds the zones' means.
+ * @param error     [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH (zones), MIEN_E_NO_MEMORY,
+ *         MIEN_E_CANCELLED
+ * @owner  the caller releases *out with mien_measurement_release()
+ * @thread externally synchronized by session
+ * @cancel yes
+ * @cost   about 0.1 ms per vertex
+ * @since  0.1
+ * @source Cazals & Pouget 2005; see src/geometry/curvature.hpp
+ */
+MIEN_API mien_status MIEN_CALL mien_measure_curvature(mien_session *session, const mien_mesh *mesh,
+                                                      double radius_mm, int32_t robust,
+                                                      const mien_measure_options *options,
+                                                      mien_measurement **out, mien_error *error);
+
+/**
+ * Straight lengths and lengths along the surface between pairs of vertices.
+ *
+ * @param session     [in] not null.
+ * @param mesh        [in] not null; #V x 3, mm, with triangles.
+ * @param pairs       [in] not null; pair_count x 2 vertex numbers.
+ * @param pair_count  [in] 1 to #V.
+ * @param straight_mm [out] room for pair_count values, or null.
+ * @param geodesic_mm [out] room for pair_count values, or null; by the heat method, within about one percent;
+ *                    infinite where no surface joins the two.
+ * @param error       [out] may be null; detail_index is the first offending pair.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH (vertex), MIEN_E_MEMORY_BUDGET,
+ *         MIEN_E_NO_MEMORY
+ * @owner  nothing
+ * @thread externally synchronized by session
+ * @cancel no
+ * @cost   O(#V^1.5) once and O(#V) per distinct vertex
+ * @since  0.1
+ * @source Crane, Weischedel & Wardetzky 2013; see src/measure/lengths.hpp
+ */
+MIEN_API mien_status MIEN_CALL mien_measure_lengths(mien_session *session, const mien_mesh *mesh,
+                                                    const uint32_t *pairs, uint64_t pair_count,
+                                                    double *straight_mm, double *geodesic_mm,
+                                                    mien_error *error);
+
 /** How vertices are carried onto a surface that is not in correspondence. */
 enum {
     MIEN_CARRY_CLOSEST_POINT = 1,
@@ -251,12 +304,14 @@ typedef struct mien_zone_alignment {
 /**
  * Moves one face rigidly onto another by a zone that has not changed (forehead, nose bridge), robustly: by
  * correspondence first, then by closest points, because a fit slides along a scan more than it lifts off.
- * The deviations feed alignment_rotation_sd_rad, alignment_translation_sd_mm and alignment_centre.
+ * Surfaces with other triangles (two scans) are brought together by closest points alone and must lie within
+ * 15 mm of each other there. The deviations feed alignment_rotation_sd_rad, alignment_translation_sd_mm and
+ * alignment_centre.
  *
  * @param session [in] not null.
- * @param moving  [in] not null; #V x 3, mm.
- * @param target  [in] not null; same vertex count, with triangles.
- * @param stable  [in] may be null: all vertices.
+ * @param moving  [in] not null; #V x 3, mm, with triangles.
+ * @param target  [in] not null; with triangles.
+ * @param stable  [in] may be null: all vertices. Vertices of target.
  * @param info    [in,out] may be null; struct_size as the caller knows it, the rest is written.
  * @param out     [out] not null; the moved mesh, or null on failure.
  * @param error   [out] may be null.

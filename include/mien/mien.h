@@ -20,5 +20,6 @@
 #include "session.h"
 #include "spectral.h"
 #include "training.h"
+#include "visits.h"
 
 #endif

@@ -10,5 +10,6 @@
 #include "detail/registration.hpp"
 #include "detail/score.hpp"
 #include "detail/spectral.hpp"
+#include "detail/visits.hpp"
 
 #endif

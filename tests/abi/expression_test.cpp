@@ -158,6 +158,32 @@ TEST_F(Expression, SeriesScanAndTransferWork) {
     EXPECT_EQ(model_->sample(*session_, 7, "up").positions(), model_->sample(*session_, 7, "up").positions());
 }
 
+TEST_F(Expression, VisitsOfOnePersonAreComparedWithoutTheirExpressions) {
+    const std::vector<mien::Mesh> faces{face(23, 0), face(23, 1)};
+    mien::VisitsOptions options;
+    options.normal_noise_mm2 = 0.01;  // few vertices, which do not slide
+    options.tangential_noise_mm2 = 0.01;
+    std::vector<double> weights(2 * faces[0].vertex_count(), 1.0);
+    options.set_weights(weights);
+    const mien::Visits visits(*session_, *model_, faces, options);
+    EXPECT_EQ(visits.expression(0), "neutral");
+    EXPECT_EQ(visits.expression(1), "up");
+    EXPECT_LT(distance(visits.neutral(1).positions(), sheet().face(23, 0)),
+              0.5 * distance(faces[1].positions(), sheet().face(23, 0)));
+    const mien::MeasureZone zone{"rim", {0, 1, 2, 3, 4, 5}};
+    EXPECT_GT(visits.removed_volume(0, 1, zone).sd_ml, 0);
+    EXPECT_EQ(visits.removed_volume(1, 1, zone).removed_ml, 0);
+    EXPECT_THROW(visits.neutral(2), mien::Exception);
+    EXPECT_THROW(visits.removed_volume(0, -1, zone), mien::Exception);
+    weights.pop_back();
+    options.set_weights(weights);
+    EXPECT_THROW(mien::Visits(*session_, *model_, faces, options), mien::Exception);
+    std::vector<std::uint32_t> beyond{100000};
+    options = {};
+    options.set_treated(beyond);
+    EXPECT_THROW(mien::Visits(*session_, *model_, faces, options), mien::Exception);
+}
+
 TEST_F(Expression, EvaluationIsJsonWithEveryExpression) {
     mien::EvaluateOptions options;
     options.against = model_->get();

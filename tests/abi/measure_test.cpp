@@ -137,4 +137,31 @@ TEST(AbiMeasure, AZoneLongerThanItsSurfaceIsRefusedUnread) {
     EXPECT_EQ(MIEN_E_INVALID_ARGUMENT, mien_model_build(session, mesh.get(), &options, &model, nullptr));
 }
 
+TEST(Measure, LengthsAndCurvatureOfASquare) {
+    Session session;
+    const Mesh square = raised_square(session, 0);
+    const uint32_t pairs[] = {0, 2, 1, 1};
+    double straight[2] = {}, geodesic[2] = {};
+    ASSERT_EQ(MIEN_OK, mien_measure_lengths(session, square.get(), pairs, 2, straight, geodesic, nullptr));
+    EXPECT_NEAR(std::sqrt(2.0), straight[0], 1e-6);
+    EXPECT_GE(geodesic[0], straight[0]);
+    EXPECT_EQ(0, geodesic[1]);
+    EXPECT_EQ(MIEN_OK, mien_measure_lengths(session, square.get(), pairs, 2, nullptr, nullptr, nullptr));
+    const uint32_t unknown[] = {0, 99};
+    EXPECT_EQ(MIEN_E_MISMATCH, mien_measure_lengths(session, square.get(), unknown, 1, straight, nullptr, nullptr));
+    EXPECT_EQ(MIEN_E_INVALID_ARGUMENT, mien_measure_lengths(session, square.get(), pairs, 0, straight, nullptr, nullptr));
+
+    mien_measurement* m = nullptr;
+    ASSERT_EQ(MIEN_OK, mien_measure_curvature(session, square.get(), 3, 1, nullptr, &m, nullptr));
+    double values[4] = {1, 1, 1, 1};
+    EXPECT_EQ(MIEN_OK, mien_measurement_get_field(m, MIEN_FIELD_CURVATURE_MEAN, values, 4, nullptr, nullptr));
+    for (double value : values) EXPECT_NEAR(0, value, 1e-6);
+    EXPECT_EQ(MIEN_E_NOT_FOUND, mien_measurement_get_field(m, MIEN_FIELD_DISTANCE_MM, values, 4, nullptr, nullptr));
+    mien_measurement_release(m);
+    m = nullptr;
+    EXPECT_EQ(MIEN_E_INVALID_ARGUMENT, mien_measure_curvature(session, square.get(), 0, 1, nullptr, &m, nullptr));
+    EXPECT_EQ(MIEN_E_INVALID_ARGUMENT, mien_measure_curvature(session, square.get(), 3, 2, nullptr, &m, nullptr));
+    EXPECT_EQ(nullptr, m);
+}
+
 }  // namespace

@@ -83,6 +83,10 @@ MIEN_FIELD_SIGNED_DISTANCE_MM = 1
 MIEN_FIELD_DISTANCE_MM = 2
 MIEN_FIELD_POSITIVE_VOLUME_MM3 = 3
 MIEN_FIELD_NEGATIVE_VOLUME_MM3 = 4
+MIEN_FIELD_CURVATURE_MAXIMAL = 5
+MIEN_FIELD_CURVATURE_MINIMAL = 6
+MIEN_FIELD_CURVATURE_MEAN = 7
+MIEN_FIELD_CURVATURE_GAUSSIAN = 8
 MIEN_CARRY_CLOSEST_POINT = 1
 MIEN_CARRY_DIRECTION = 2
 MIEN_CARRY_VERTEX_NORMAL = 3
@@ -518,6 +522,21 @@ class ShardOptions(ctypes.Structure):
     ]
 
 
+class VisitsOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("pose", ctypes.c_int32),
+        ("normal_noise_mm2", ctypes.c_double),
+        ("tangential_noise_mm2", ctypes.c_double),
+        ("treated_vertices", ctypes.c_void_p),
+        ("treated_count", ctypes.c_uint64),
+        ("weights", ArrayView),
+        ("progress", ProgressFn),
+        ("progress_user", ctypes.c_void_p),
+        ("cancel", ctypes.c_void_p),
+    ]
+
+
 SIGNATURES = {
     "mien_status_name": (ctypes.c_char_p, [ctypes.c_int32]),
     "mien_version_number": (ctypes.c_uint32, []),
@@ -605,6 +624,8 @@ SIGNATURES = {
     "mien_measure_surface_distance": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(MeasureOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_measure_closed_volume": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.POINTER(Error)]),
     "mien_measure_area": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Zone), ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_measure_curvature": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_double, ctypes.c_int32, ctypes.POINTER(MeasureOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_measure_lengths": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
     "mien_measure_scan_volume": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.POINTER(MeasureOptions), ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_measure_align": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Zone), ctypes.POINTER(ZoneAlignment), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_measurement_get_zones": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
@@ -676,4 +697,10 @@ SIGNATURES = {
     "mien_shard_options_init": (None, [ctypes.POINTER(ShardOptions), ctypes.c_size_t]),
     "mien_expression_shard_create": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ShardOptions), ctypes.c_char_p, ctypes.POINTER(Error)]),
     "mien_expression_model_merge": (ctypes.c_int32, [ctypes.c_void_p, ctypes.POINTER(ctypes.c_char_p), ctypes.c_uint32, ctypes.POINTER(TrainOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_visits_options_init": (None, [ctypes.POINTER(VisitsOptions), ctypes.c_size_t]),
+    "mien_neutralize_visits": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.c_uint32, ctypes.POINTER(VisitsOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_visits_get_mesh": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_visits_get_expression": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_visits_get_removed_volume": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.c_int32, ctypes.POINTER(Zone), ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_visits_release": (None, [ctypes.c_void_p]),
 }

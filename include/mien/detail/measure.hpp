@@ -54,6 +54,16 @@ class Measurement {
         return make(function, session, before, after, options);
     }
 
+    /// Curvatures of one surface; the fields MIEN_FIELD_CURVATURE_*.
+    static Measurement curvature(const Session& session, const Mesh& mesh, double radius_mm = 6.0,
+                                 bool robust = true, const MeasureOptions& options = {}) {
+        auto function = [&](mien_session* s, const mien_mesh* a, const mien_mesh*, const mien_measure_options* o,
+                            mien_measurement** out, mien_error* error) {
+            return mien_measure_curvature(s, a, radius_mm, robust ? 1 : 0, o, out, error);
+        };
+        return make(function, session, mesh, mesh, options);
+    }
+
     std::size_t zone_count() const {
         std::uint32_t count = 0;
         detail::call(mien_measurement_get_zones, get(), &count, nullptr);
@@ -130,6 +140,20 @@ inline Mesh align_on_zone(const Session& session, const Mesh& moving, const Mesh
                  &local, &mesh);
     if (info != nullptr) *info = local;
     return Mesh(mesh);
+}
+
+/// Straight and along the surface, mm, between pairs of vertices.
+struct PlaceLengths {
+    std::vector<double> straight_mm, geodesic_mm;
+};
+inline PlaceLengths lengths_mm(const Session& session, const Mesh& mesh,
+                               const std::vector<std::array<std::uint32_t, 2>>& pairs) {
+    std::vector<std::uint32_t> flat;
+    for (const auto& pair : pairs) flat.insert(flat.end(), pair.begin(), pair.end());
+    PlaceLengths lengths{std::vector<double>(pairs.size()), std::vector<double>(pairs.size())};
+    detail::call(mien_measure_lengths, session.get(), mesh.get(), flat.data(), static_cast<std::uint64_t>(pairs.size()),
+                 lengths.straight_mm.data(), lengths.geodesic_mm.data());
+    return lengths;
 }
 
 /// mL; an open mesh is an error unless its rims may be closed by fans.
