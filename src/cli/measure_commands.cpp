@@ -1,4 +1,5 @@
-// mien measure volume|area|distance: two faces in, numbers per zone out, as a table and as JSON.
+// mien measure volume|area|distance|curvature|length: faces in, numbers per zone out, as a table and as JSON.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -9,7 +10,11 @@ namespace {
 
 struct MeasureSettings {
     Common common;
-    std::string before, after, mesh, zones, field_path;
+    std::string before, after, mesh, zones, field_path, carry, stable, field = "mean", landmarks;
+    std::vector<double> direction;
+    std::vector<std::string> between;
+    double radius = 6;
+    bool not_robust = false;
     double sd_before = 0, sd_after = 0, correlation = 10, bias = 0, limit = 0, max_distance = 0;
     bool surfaces = false, keep_borders = false, closed = false, close_rims = false;
 };
@@ -55,18 +60,60 @@ void print_volume_row(const std::string& name, const mien_zone_volume& v) {
     std::printf("\n");
 }
 
+void print_volumes(const Measurement& result, const std::vector<MeasureZone>& zones) {
+    std::printf("%-16s %9s %9s %9s %9s   mL\n", "zone", "signed", "gained", "lost", "absolute");
+    for (std::size_t z = 0; z < result.zone_count(); ++z)
+        print_volume_row(zones[z].name, result.zone_volume(static_cast<std::int32_t>(z)));
+    if (result.zone_count() != 0) print_volume_row("rest", result.zone_volume(MIEN_ZONE_REST));
+    print_volume_row("whole", result.zone_volume(MIEN_ZONE_WHOLE));
+}
+
+/// Two surfaces that no template joins, two scans: aligned on a zone of the first where asked, then measured.
+void run_scan_volume(const MeasureSettings& settings) {
+    if (settings.carry == "direction" && settings.direction.size() != 3)
+        throw CLI::RequiredError("--direction (three numbers) with --surfaces direction");
+    const Session session(settings.common.num_threads);
+    const Mesh before(session, settings.before);
+    Mesh after(session, settings.after);
+    const MeasureOptions options = options_of(settings);
+    nlohmann::json alignment;
+    if (!settings.stable.empty()) {
+        std::vector<std::uint32_t> stable;
+        for (const MeasureZone& zone : options.zones)
+            if (zone.name == settings.stable) stable = zone.vertices;
+        if (stable.empty())
+            throw std::runtime_error(settings.zones + ": has no zone '" + settings.stable + "' to align on");
+        mien_zone_alignment info{};
+        after = align_on_zone(session, after, before, stable, &info);
+        alignment = {{"zone", settings.stable}, {"rms_mm", info.rms_mm}, {"matrix", info.matrix}};
+    }
+    const std::int32_t carry = settings.carry == "direction" ? MIEN_CARRY_DIRECTION
+                               : settings.carry == "normal"  ? MIEN_CARRY_VERTEX_NORMAL
+                                                             : MIEN_CARRY_CLOSEST_POINT;
+    Position direction{{0, 0, 1}};
+    if (settings.direction.size() == 3) direction = {{settings.direction[0], settings.direction[1], settings.direction[2]}};
+    double coverage = 0;
+    const Measurement result = Measurement::scan_volume(session, before, after, carry, direction, options, &coverage);
+    print_volumes(result, options.zones);
+    std::printf("%.1f %% of the first surface has something opposite it\n", 100 * coverage);
+    nlohmann::json report = nlohmann::json::parse(result.json());
+    report["before"] = settings.before;
+    report["after"] = settings.after;
+    report["surfaces"] = settings.carry;
+    report["coverage"] = coverage;
+    if (!alignment.is_null()) report["alignment"] = alignment;
+    write_report(settings.common, report);
+}
+
 void run_volume(const MeasureSettings& settings) {
+    if (!settings.carry.empty()) return run_scan_volume(settings);
     const Session session(settings.common.num_threads);
     const Mesh before(session, settings.before), after(session, settings.after);
     MeasureOptions options = options_of(settings);
     if (settings.sd_before > 0) options.before_sd_mm.assign(before.vertex_count(), settings.sd_before);
     if (settings.sd_after > 0) options.after_sd_mm.assign(before.vertex_count(), settings.sd_after);
     const Measurement result = Measurement::volume(session, before, after, options);
-    std::printf("%-16s %9s %9s %9s %9s   mL\n", "zone", "signed", "gained", "lost", "absolute");
-    for (std::size_t z = 0; z < result.zone_count(); ++z)
-        print_volume_row(options.zones[z].name, result.zone_volume(static_cast<std::int32_t>(z)));
-    if (result.zone_count() != 0) print_volume_row("rest", result.zone_volume(MIEN_ZONE_REST));
-    print_volume_row("whole", result.zone_volume(MIEN_ZONE_WHOLE));
+    print_volumes(result, options.zones);
     nlohmann::json report = nlohmann::json::parse(result.json());
     report["before"] = settings.before;
     report["after"] = settings.after;
@@ -140,6 +187,59 @@ void run_area(const MeasureSettings& settings) {
     write_report(settings.common, report);
 }
 
+void run_curvature(const MeasureSettings& settings) {
+    const Session session(settings.common.num_threads);
+    const Mesh mesh(session, settings.mesh);
+    const Measurement result =
+        Measurement::curvature(session, mesh, settings.radius, !settings.not_robust, options_of(settings));
+    nlohmann::json report = nlohmann::json::parse(result.json());
+    std::printf("%-16s %10s %10s %10s %12s\n", "zone", "mean 1/mm", "k1 1/mm", "k2 1/mm", "Gauss 1/mm^2");
+    const auto row = [](const nlohmann::json& zone) {
+        std::printf("%-16.16s %10.5f %10.5f %10.5f %12.7f\n", zone["name"].get<std::string>().c_str(),
+                    zone["mean_mean_per_mm"].get<double>(), zone["mean_maximal_per_mm"].get<double>(),
+                    zone["mean_minimal_per_mm"].get<double>(), zone["mean_gaussian_per_mm2"].get<double>());
+    };
+    for (const nlohmann::json& zone : report["curvature"]["zones"]) row(zone);
+    row(report["curvature"]["whole"]);
+    if (!settings.field_path.empty())
+        write_field(settings.field_path, result.field(settings.field == "maximal"    ? MIEN_FIELD_CURVATURE_MAXIMAL
+                                                      : settings.field == "minimal"  ? MIEN_FIELD_CURVATURE_MINIMAL
+                                                      : settings.field == "gaussian" ? MIEN_FIELD_CURVATURE_GAUSSIAN
+                                                                                     : MIEN_FIELD_CURVATURE_MEAN));
+    report["mesh"] = settings.mesh;
+    report["radius_mm"] = settings.radius;
+    write_report(settings.common, report);
+}
+
+/// Lengths between landmarks of a template, which every face in its topology has.
+void run_length(const MeasureSettings& settings) {
+    if (settings.between.size() % 2 != 0)
+        throw CLI::ValidationError("--between", "names come in pairs: A,B or A,B,C,D");
+    const std::vector<std::pair<std::string, std::uint32_t>> marks = read_landmark_vertices(settings.landmarks);
+    std::vector<std::array<std::uint32_t, 2>> pairs;
+    for (std::size_t k = 0; k < settings.between.size(); ++k) {
+        const auto found = std::find_if(marks.begin(), marks.end(),
+                                        [&](const auto& mark) { return mark.first == settings.between[k]; });
+        if (found == marks.end())
+            throw std::runtime_error(settings.landmarks + ": has no landmark '" + settings.between[k] + "'");
+        if (k % 2 == 0) pairs.push_back({found->second, 0});
+        else pairs.back()[1] = found->second;
+    }
+    const Session session(settings.common.num_threads);
+    const PlaceLengths lengths = lengths_mm(session, Mesh(session, settings.mesh), pairs);
+    nlohmann::json report{{"mesh", settings.mesh}, {"unit", "mm"}, {"lengths", nlohmann::json::array()}};
+    std::printf("%-34s %10s %10s   mm\n", "", "straight", "geodesic");
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+        const std::string &from = settings.between[2 * k], &to = settings.between[2 * k + 1];
+        const bool joined = std::isfinite(lengths.geodesic_mm[k]);
+        std::printf("%-34.34s %10.3f %10s\n", (from + " to " + to).c_str(), lengths.straight_mm[k],
+                    joined ? std::to_string(lengths.geodesic_mm[k]).c_str() : "none");
+        report["lengths"].push_back({{"from", from}, {"to", to}, {"straight_mm", lengths.straight_mm[k]},
+                                     {"geodesic_mm", joined ? nlohmann::json(lengths.geodesic_mm[k]) : nlohmann::json()}});
+    }
+    write_report(settings.common, report);
+}
+
 void add_pair(CLI::App& command, MeasureSettings& settings) {
     command.add_option("--before", settings.before, "first face")->required()->check(CLI::ExistingFile);
     command.add_option("--after", settings.after, "second face, in the frame of the first")
@@ -164,6 +264,13 @@ void add_measure_commands(CLI::App& app) {
         ->capture_default_str();
     volume->add_option("--bias", settings->bias, "error common to all vertices, mm");
     volume->add_option("--limit-of-detection", settings->limit, "mL; smaller changes are marked");
+    volume->add_option("--surfaces", settings->carry,
+                       "the faces are not in correspondence: carry the first onto the second by this")
+        ->check(CLI::IsMember({"closest", "normal", "direction"}));
+    volume->add_option("--direction", settings->direction, "with --surfaces direction: x y z")->expected(3);
+    volume->add_option("--stable", settings->stable,
+                       "with --surfaces: first align the second face on this zone of the first");
+    volume->add_option("--max-distance", settings->max_distance, "with --surfaces: farther places count for nothing, mm; default 20");
     add_common_options(*volume, settings->common);
     volume->footer("Example: mien measure volume --before before.ply --after after.ply --zones zones.json");
     volume->callback([settings] { run_volume(*settings); });
@@ -190,6 +297,26 @@ void add_measure_commands(CLI::App& app) {
     add_common_options(*area, settings->common);
     area->footer("Example: mien measure area face.ply --zones zones.json");
     area->callback([settings] { run_area(*settings); });
+
+    CLI::App* curvature = measure->add_subcommand("curvature", "mean, Gaussian and principal curvatures");
+    curvature->add_option("mesh", settings->mesh, "mesh file")->required()->check(CLI::ExistingFile);
+    curvature->add_option("--zones", settings->zones, "zone file")->check(CLI::ExistingFile);
+    curvature->add_option("--radius", settings->radius, "of the fits, mm")->capture_default_str();
+    curvature->add_flag("--no-robust", settings->not_robust, "keep spikes in the fits");
+    curvature->add_option("--field", settings->field_path, "write one value per vertex");
+    curvature->add_option("--what", settings->field, "which one")
+        ->check(CLI::IsMember({"mean", "gaussian", "maximal", "minimal"}))->capture_default_str();
+    add_common_options(*curvature, settings->common);
+    curvature->footer("Example: mien measure curvature fitted.ply --zones zones.json --field mean.txt");
+    curvature->callback([settings] { run_curvature(*settings); });
+
+    CLI::App* length = measure->add_subcommand("length", "lengths between landmarks, straight and along the skin");
+    length->add_option("mesh", settings->mesh, "mesh in the template's topology")->required()->check(CLI::ExistingFile);
+    length->add_option("--landmarks", settings->landmarks, "{\"vertices\": {name: index}}")->required()->check(CLI::ExistingFile);
+    length->add_option("--between", settings->between, "pairs of names: A,B or A,B,C,D")->required()->delimiter(',');
+    add_common_options(*length, settings->common);
+    length->footer("Example: mien measure length fitted.ply --landmarks landmarks.json --between pronasale,gnathion");
+    length->callback([settings] { run_length(*settings); });
 }
 
 }  // namespace mien::cli

@@ -1,5 +1,6 @@
-// mien score train|predict|simulate: a biomarker score from faces; mien score agreement|repeatability: the
-// statistics of raters and of repeated captures.
+// mien score train|predict|simulate: a biomarker score from faces; mien score
+// agreement|repeatability|bland-altman: the statistics of raters and of repeated captures.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -218,6 +219,44 @@ void run_repeatability(const ScoreCommand& settings) {
     write_report(settings.common, report);
 }
 
+void run_bland_altman(const ScoreCommand& settings) {
+    const nlohmann::json file = read_json(settings.values);
+    std::vector<double> first, second;
+    for (const nlohmann::json& value : list_of(file, settings.values, "first"))
+        first.push_back(number_or_none(value, settings.values));
+    for (const nlohmann::json& value : list_of(file, settings.values, "second"))
+        second.push_back(number_or_none(value, settings.values));
+    if (first.size() != second.size())
+        throw std::runtime_error(settings.values + ": " + std::to_string(first.size()) + " first and " +
+                                 std::to_string(second.size()) + " second values; give one of each per subject");
+    const Session session(settings.common.num_threads);
+    const nlohmann::json report = nlohmann::json::parse(bland_altman(session, first, second));
+    for (const auto& [name, value] : report.items()) std::printf("%-26s %s\n", name.c_str(), value.dump().c_str());
+    if (!settings.picture.empty()) {
+        Curve points, bias, lower, upper;
+        points.label = "subjects";
+        points.markers = true;
+        for (std::size_t k = 0; k < first.size(); ++k) {
+            points.x.push_back(0.5 * (first[k] + second[k]));
+            points.y.push_back(first[k] - second[k]);
+        }
+        points.line = false;
+        const auto [low, high] = std::minmax_element(points.x.begin(), points.x.end());
+        bias.label = "bias";
+        lower.label = "95 % limits";
+        for (auto [curve, key] : {std::pair<Curve*, const char*>{&bias, "bias"}, {&lower, "lower_limit"}, {&upper, "upper_limit"}}) {
+            curve->x = {*low, *high};
+            curve->y = {report[key], report[key]};
+        }
+        PlotOptions plot;
+        plot.title = "Bland-Altman";
+        plot.x_label = "mean of both";
+        plot.y_label = "first - second";
+        write_png(settings.picture, draw_plot({points, bias, lower, upper}, plot));
+    }
+    write_report(settings.common, report);
+}
+
 }  // namespace
 
 void add_score_commands(CLI::App& app) {
@@ -273,6 +312,13 @@ void add_score_commands(CLI::App& app) {
     add_common_options(*repeat, settings->common);
     repeat->footer("Example: mien score repeatability --values volumes.json");
     repeat->callback([settings] { run_repeatability(*settings); });
+
+    CLI::App* compare = score->add_subcommand("bland-altman", "two methods, or two captures, on the same subjects");
+    compare->add_option("--values", settings->values, "{\"first\": [...], \"second\": [...]}, one of each per subject")->required();
+    compare->add_option("--picture", settings->picture, "PNG: differences over means, with the limits of agreement");
+    add_common_options(*compare, settings->common);
+    compare->footer("Example: mien score bland-altman --values volumes.json --picture agreement.png");
+    compare->callback([settings] { run_bland_altman(*settings); });
 }
 
 }  // namespace mien::cli

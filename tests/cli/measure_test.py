@@ -1,0 +1,131 @@
+"""mien measure and mien score on surfaces whose numbers are known."""
+import json
+import math
+import shutil
+import struct
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+mien, shared, work = sys.argv[1], Path(sys.argv[2]), Path(sys.argv[3])
+
+
+def run(*arguments):
+    return subprocess.run([mien, *map(str, arguments)], capture_output=True, text=True)
+
+
+def write_obj(path, vertices, triangles):
+    lines = ["v " + " ".join(repr(float(x)) for x in v) for v in vertices]
+    path.write_text("\n".join(lines + ["f " + " ".join(str(i + 1) for i in t) for t in triangles]) + "\n")
+    return path
+
+
+def sheet(height, size=60, cells=30):
+    """A square of size mm: z = height(x, y)."""
+    side = cells + 1
+    vertices = [(size * i / cells, size * j / cells, height(size * i / cells, size * j / cells))
+                for j in range(side) for i in range(side)]
+    triangles = []
+    for j in range(cells):
+        for i in range(cells):
+            a = j * side + i
+            triangles += [(a, a + 1, a + side + 1), (a, a + side + 1, a + side)]
+    return vertices, triangles
+
+
+def read_tensors(path):
+    raw = path.read_bytes()
+    size = struct.unpack("<Q", raw[:8])[0]
+    header = json.loads(raw[8:8 + size])
+    return {name: (entry["shape"], raw[8 + size + entry["data_offsets"][0]:8 + size + entry["data_offsets"][1]], entry["dtype"])
+            for name, entry in header.items() if name != "__metadata__"}
+
+
+class Measure(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        shutil.rmtree(work, ignore_errors=True)
+        work.mkdir(parents=True)
+
+    def measured(self, *arguments):
+        done = run("measure", *arguments, "--json", work / "out.json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads((work / "out.json").read_text())
+
+    def test_volume_between_surfaces_that_no_template_joins(self):
+        flat = write_obj(work / "flat.obj", *sheet(lambda x, y: 0.0))
+        hill = write_obj(work / "hill.obj", *sheet(lambda x, y: 2 * math.sin(math.pi * x / 60) * math.sin(math.pi * y / 60), cells=47))
+        truth = 2 * (2 * 60 / math.pi) ** 2 / 1000
+        got = self.measured("volume", "--before", flat, "--after", hill, "--surfaces", "direction", "--direction", 0, 0, 1)
+        self.assertAlmostEqual(got["volume"]["whole"]["signed_ml"], truth, delta=0.01 * truth)
+        self.assertAlmostEqual(got["coverage"], 1, places=6)
+        # Two scans apart: aligned on a zone that has not changed, whose rim the hill does not reach.
+        low = write_obj(work / "low.obj", *sheet(lambda x, y: 0.02 * x * x / 60 + 0.03 * y * y / 60))
+        bump = lambda x, y: 3 * math.exp(-((x - 42) ** 2 + (y - 42) ** 2) / 60)
+        after, triangles = sheet(lambda x, y: 0.02 * x * x / 60 + 0.03 * y * y / 60 + bump(x, y), cells=41)
+        moved = write_obj(work / "moved.obj", [(x + 0.2, y - 0.1, z + 0.8) for x, y, z in after], triangles)
+        side = 31
+        zones = {"zones": {"still": [v for v in range(side * side) if v % side < 14 or v // side < 14],
+                           "hill": [v for v in range(side * side) if v % side >= 14 and v // side >= 14]}}
+        (work / "zones.json").write_text(json.dumps(zones))
+        got = self.measured("volume", "--before", low, "--after", moved, "--surfaces", "normal", "--zones", work / "zones.json",
+                            "--stable", "still")
+        self.assertAlmostEqual(got["volume"]["zones"][[z["name"] for z in got["volume"]["zones"]].index("hill")]["signed_ml"],
+                               3 * math.pi * 60 / 1000, delta=0.02)
+        done = run("measure", "volume", "--before", flat, "--after", hill, "--surfaces", "direction")
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("--direction", done.stderr)
+
+    def test_curvature_of_a_cylinder_and_its_field(self):
+        coat = write_obj(work / "coat.obj", *sheet(lambda x, y: math.sqrt(80 ** 2 - (x - 30) ** 2)))
+        got = self.measured("curvature", coat, "--field", work / "k.txt", "--what", "maximal")["curvature"]["whole"]
+        self.assertAlmostEqual(got["mean_maximal_per_mm"], 1 / 80, delta=0.04 / 80)  # fits at the rim see one side only
+        self.assertAlmostEqual(got["mean_gaussian_per_mm2"], 0, delta=1e-6)
+        self.assertEqual(len((work / "k.txt").read_text().split()), 31 * 31)
+
+    def test_lengths_between_landmarks(self):
+        arc = write_obj(work / "arc.obj", *sheet(lambda x, y: math.sqrt(40 ** 2 - (x - 30) ** 2), cells=60))
+        (work / "marks.json").write_text(json.dumps({"vertices": {"left": 30 * 61, "right": 30 * 61 + 60}}))
+        got = self.measured("length", arc, "--landmarks", work / "marks.json", "--between", "left,right")["lengths"][0]
+        self.assertAlmostEqual(got["straight_mm"], 60, places=5)
+        self.assertAlmostEqual(got["geodesic_mm"], 80 * math.asin(30 / 40), delta=0.01 * 80 * math.asin(30 / 40))
+        done = run("measure", "length", arc, "--landmarks", work / "marks.json", "--between", "left,nowhere")
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("nowhere", done.stderr)
+
+    def test_bland_altman_of_the_published_peak_flows(self):
+        wright = [494, 395, 516, 434, 476, 557, 413, 442, 650, 433, 417, 656, 267, 478, 178, 423, 427]
+        mini = [512, 430, 520, 428, 500, 600, 364, 380, 658, 445, 432, 626, 260, 477, 259, 350, 451]
+        (work / "flows.json").write_text(json.dumps({"first": wright, "second": mini}))
+        done = run("score", "bland-altman", "--values", work / "flows.json", "--json", work / "ba.json", "--picture", work / "ba.png")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        got = json.loads((work / "ba.json").read_text())
+        self.assertAlmostEqual(got["bias"], -2.1, delta=0.05)
+        self.assertAlmostEqual(got["bias"] - 2 * got["sd"], -79.7, delta=0.1)
+        self.assertEqual((work / "ba.png").read_bytes()[:4], b"\x89PNG")
+
+    def test_the_closed_head(self):
+        model, sockets = shared / "data/ict/model.safetensors", shared / "data/ict/sockets.safetensors"
+        if not model.exists():
+            self.skipTest("needs the shared data")
+        vertices, triangles = [], []
+        for path in (model, sockets):
+            tensors = read_tensors(path)
+            shape, raw, kind = tensors["mean"]
+            self.assertEqual(kind, "F32")
+            flat = struct.unpack(f"<{shape[0] * 3}f", raw)
+            vertices += [flat[k:k + 3] for k in range(0, len(flat), 3)]
+            shape, raw, kind = tensors["triangles"]
+            self.assertEqual(kind, "U32")
+            flat = struct.unpack(f"<{shape[0] * 3}I", raw)
+            triangles += [flat[k:k + 3] for k in range(0, len(flat), 3)]
+        head = write_obj(work / "head.obj", vertices, triangles)
+        got = self.measured("area", head, "--close-rims")
+        print("closed head:", got["closed_volume_ml"] / 1000, "L")
+        self.assertAlmostEqual(got["closed_volume_ml"], 5119.7, delta=0.0001 * 5119.7)
+        self.assertIn("open", run("measure", "area", head, "--closed").stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
