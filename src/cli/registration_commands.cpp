@@ -71,6 +71,7 @@ void run_register(const RegisterArguments& arguments) {
         report["residual_mm"] = fit.field(MIEN_REGISTRATION_RESIDUAL_MM);
         report["weight"] = fit.field(MIEN_REGISTRATION_WEIGHT);
         report["radius95_mm"] = fit.field(MIEN_REGISTRATION_RADIUS95_MM);
+        report["standard_deviation_mm"] = fit.field(MIEN_REGISTRATION_STANDARD_DEVIATION_MM);
     }
     write_report(arguments.common, report);
     if (!arguments.heatmap.empty()) write_heatmap(arguments.heatmap, fit);

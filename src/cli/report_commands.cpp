@@ -7,130 +7,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
+#include <iterator>
 
-#include "commands.hpp"
 #include "render.hpp"
+#include "report_fits.hpp"
 #include "report_page.hpp"
 
 namespace mien::cli {
 namespace {
 
-namespace fs = std::filesystem;
-
-struct ReportSettings {
-    Common common;
-    std::string visits, model, expressions, zones, stable = "forehead,nose", out, title = "Volume over time";
-    std::vector<std::string> shown;
-    bool fitted = false;
-    double sd = 0.08, correlation = 10, bias = 0.03;
-};
-
-struct Capture {
-    std::string mesh, landmarks;
-};
-struct Visit {
-    std::string name;
-    std::vector<Capture> captures;
-};
-
-bool is_mesh(const fs::path& path) {
-    std::string extension = path.extension().u8string();
-    for (char& c : extension) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-    return extension == ".ply" || extension == ".obj" || extension == ".stl" || extension == ".off";
-}
-
-Capture capture_of(const fs::path& mesh, bool own_folder) {
-    fs::path beside = mesh;
-    beside.replace_extension(".json");
-    Capture capture{mesh.u8string(), ""};
-    if (fs::exists(beside)) capture.landmarks = beside.u8string();
-    else if (own_folder && fs::exists(mesh.parent_path() / "landmarks.json"))
-        capture.landmarks = (mesh.parent_path() / "landmarks.json").u8string();
-    return capture;
-}
-
-std::vector<fs::path> sorted_entries(const fs::path& folder) {
-    std::vector<fs::path> entries;
-    for (const auto& entry : fs::directory_iterator(folder)) entries.push_back(entry.path());
-    std::sort(entries.begin(), entries.end());
-    return entries;
-}
-
-std::vector<Visit> find_visits(const std::string& folder) {
-    if (!fs::is_directory(fs::u8path(folder))) throw std::runtime_error(folder + ": is not a folder of visits");
-    std::vector<Visit> visits;
-    for (const fs::path& entry : sorted_entries(fs::u8path(folder))) {
-        Visit visit{entry.stem().u8string(), {}};
-        if (fs::is_directory(entry)) {
-            visit.name = entry.filename().u8string();
-            for (const fs::path& mesh : sorted_entries(entry))
-                if (is_mesh(mesh)) visit.captures.push_back(capture_of(mesh, true));
-        } else if (is_mesh(entry)) {
-            visit.captures.push_back(capture_of(entry, false));
-        }
-        if (!visit.captures.empty()) visits.push_back(visit);
-    }
-    if (visits.size() < 2)
-        throw std::runtime_error(folder + ": needs at least two visits (mesh files or folders with mesh files)");
-    return visits;
-}
-
-struct Fitted {
-    Mesh mesh;
-    std::vector<double> sd;      ///< along the normal, per vertex, mm
-    std::vector<double> shared;  ///< what the removed expression leaves open: alike over a whole zone, mm
-    std::string verdict;
-    bool good = true;
-    nlohmann::json report;
-};
-
-/// How far a fit may lie off the skin along the normal: where the scan is, the residual over the scanner's noise;
-/// where it is not, what the model leaves open.
-std::vector<double> normal_deviation(const Registration& fit, double noise_mm) {
-    std::vector<double> sd = fit.field(MIEN_REGISTRATION_STANDARD_DEVIATION_MM);
-    const std::vector<double> weight = fit.field(MIEN_REGISTRATION_WEIGHT);
-    const std::vector<double> residual = fit.field(MIEN_REGISTRATION_RESIDUAL_MM);
-    for (std::size_t v = 0; v < sd.size(); ++v)
-        sd[v] = weight[v] * std::min(std::hypot(noise_mm, residual[v]), sd[v]) + (1 - weight[v]) * sd[v];
-    return sd;
-}
-
-/// Face: a Registration or a Mesh.
-template <typename Face>
-void neutralize(const Session& session, const ExpressionModel& expressions, const Face& face, Fitted& fitted) {
-    NeutralizeOptions options;
-    options.uncertainty = 1;
-    const Neutralization neutral(session, expressions, face, options);
-    fitted.mesh = neutral.mesh();
-    fitted.shared = neutral.uncertainty();
-    fitted.verdict += ", neutralized";
-}
-
-Fitted fit_capture(const Session& session, const ReportSettings& settings, const Model* model,
-                   const ExpressionModel* expressions, const Capture& capture) {
-    if (settings.fitted) {
-        Mesh mesh(session, capture.mesh);
-        Fitted fitted{mesh, std::vector<double>(mesh.vertex_count(), settings.sd), {}, "fitted beforehand", true, {}};
-        if (expressions != nullptr) neutralize(session, *expressions, mesh, fitted);
-        return fitted;
-    }
-    RegisterOptions options;
-    if (!capture.landmarks.empty())
-        for (const NamedPoint& p : read_landmark_points(capture.landmarks)) options.landmarks.push_back({p.name, p.point});
-    options.progress = progress_bar();
-    const Registration fit(session, *model, Mesh(session, capture.mesh), options);
-    const mien_fit_verdict verdict = fit.verdict();
-    Fitted fitted{fit.mesh(), normal_deviation(fit, settings.sd), {}, "", verdict.quality == MIEN_QUALITY_GOOD,
-                  nlohmann::json::parse(fit.json())};
-    char text[160];
-    std::snprintf(text, sizeof text, "fit %s: %.2f mm from the scan, %.0f %% of the face seen",
-                  verdict.quality == MIEN_QUALITY_GOOD ? "good" : verdict.quality == MIEN_QUALITY_DOUBTFUL ? "doubtful" : "failed",
-                  verdict.mean_residual_mm, 100 * verdict.coverage);
-    fitted.verdict = text;
-    if (expressions != nullptr) neutralize(session, *expressions, fit, fitted);
-    return fitted;
-}
+constexpr const char* kStable = "forehead,nose";
 
 std::vector<std::string> split(const std::string& names) {
     std::vector<std::string> parts;
@@ -164,40 +50,88 @@ Image draw_difference(const MeshArrays& face, const std::vector<double>& signed_
     return render_mesh(face, options);
 }
 
+/// One zone's change with what its deviation is made of, mL.
+struct ZoneChange {
+    double signed_ml = 0, absolute_ml = 0, sd_ml = 0;
+    double surface_ml = 0, alignment_ml = 0, bias_ml = 0, expression_ml = 0, removed_ml = 0;
+    double low95_ml() const { return signed_ml - 1.959963984540054 * sd_ml; }
+    double high95_ml() const { return signed_ml + 1.959963984540054 * sd_ml; }
+};
+
 struct Pair {
-    std::vector<mien_zone_volume> volumes;  ///< one per zone
+    std::vector<ZoneChange> changes;  ///< one per zone
     Measurement distance;
     mien_zone_alignment alignment;
     Mesh aligned;
 };
 
-double mean_over(const std::vector<std::uint32_t>& zone, const std::vector<double>& values) {
-    if (values.empty() || zone.empty()) return 0;
-    double sum = 0;
-    for (const std::uint32_t v : zone) sum += values.at(v);
-    return sum / static_cast<double>(zone.size());
-}
-
-Pair compare(const Session& session, const ReportSettings& settings, const Fitted& first, const Fitted& second,
-             const std::vector<MeasureZone>& zones, const std::vector<std::uint32_t>& stable) {
+/// first, second: captures in the order of `visits`, which may be null.
+Pair compare(const Session& session, const ReportSettings& settings, const std::vector<Fitted>& fits,
+             std::size_t first, std::size_t second, const Visits* visits, const std::vector<MeasureZone>& zones,
+             const std::vector<std::uint32_t>& stable) {
     mien_zone_alignment info{};
-    Mesh aligned = align_on_zone(session, second.mesh, first.mesh, stable, &info);
+    Mesh aligned = align_on_zone(session, fits[second].mesh, fits[first].mesh, stable, &info);
     MeasureOptions options;
-    options.before_sd_mm = first.sd;
-    options.after_sd_mm = second.sd;
+    options.zones = zones;
+    options.before_sd_mm = fits[first].sd;
+    options.after_sd_mm = fits[second].sd;
     options.correlation_length_mm = settings.correlation;
     options.alignment_rotation_sd_rad = info.rotation_sd_rad;
     options.alignment_translation_sd_mm = info.translation_sd_mm;
     options.alignment_centre = {{info.centre[0], info.centre[1], info.centre[2]}};
-    std::vector<mien_zone_volume> volumes;
-    for (const MeasureZone& zone : zones) {  // one by one: each has its own share of the neutralizations' errors
-        options.zones = {zone};
-        options.common_bias_mm = std::hypot(settings.bias, std::hypot(mean_over(zone.vertices, first.shared),
-                                                                      mean_over(zone.vertices, second.shared)));
-        volumes.push_back(Measurement::volume(session, first.mesh, aligned, options).zone_volume(0));
+    options.common_bias_mm = settings.bias;
+    const Measurement volume = Measurement::volume(session, fits[first].mesh, aligned, options);
+    const nlohmann::json parts = nlohmann::json::parse(volume.json())["volume"]["zones"];
+    std::vector<ZoneChange> changes;
+    for (std::size_t z = 0; z < zones.size(); ++z) {
+        const mien_zone_volume measured = volume.zone_volume(static_cast<std::int32_t>(z));
+        ZoneChange change{measured.signed_ml, measured.absolute_ml, measured.sd_ml};
+        change.surface_ml = parts[z]["sd_parts_ml"]["surface"];
+        change.alignment_ml = parts[z]["sd_parts_ml"]["alignment"];
+        change.bias_ml = parts[z]["sd_parts_ml"]["bias"];
+        if (visits != nullptr) {
+            const RemovedVolume removed = visits->removed_volume(static_cast<std::int32_t>(first),
+                                                                 static_cast<std::int32_t>(second), zones[z]);
+            // No training set holds every way of smiling: a share of what was taken off stays open beside the posterior.
+            change.expression_ml = std::hypot(settings.posterior * removed.sd_ml, settings.share * removed.removed_ml);
+            change.removed_ml = removed.removed_ml;
+            change.sd_ml = std::hypot(change.sd_ml, change.expression_ml);
+        }
+        changes.push_back(change);
     }
     options.zones.clear();
-    return {volumes, Measurement::distance(session, first.mesh, aligned, options), info, aligned};
+    return {changes, Measurement::distance(session, fits[first].mesh, aligned, options), info, aligned};
+}
+
+const MeasureZone& find_zone(const ReportSettings& settings, const std::vector<MeasureZone>& zones, const std::string& name) {
+    for (const MeasureZone& zone : zones)
+        if (zone.name == name) return zone;
+    throw std::runtime_error(settings.zones + ": has no zone '" + name + "'");
+}
+
+/// By default, all that was not treated once a treatment is named and expressions are taken off: the farther the
+/// aligned skin reaches, the less a face can tilt. Otherwise what an expression moves least.
+bool stable_is_untreated(const ReportSettings& settings) {
+    return settings.stable.empty() && !settings.treated.empty() && !settings.expressions.empty();
+}
+
+std::vector<std::uint32_t> stable_vertices(const ReportSettings& settings, const std::vector<MeasureZone>& zones,
+                                           const std::vector<std::uint32_t>& treated) {
+    std::vector<std::uint32_t> stable;
+    if (stable_is_untreated(settings)) {
+        for (const MeasureZone& zone : zones) stable.insert(stable.end(), zone.vertices.begin(), zone.vertices.end());
+        std::sort(stable.begin(), stable.end());
+        stable.erase(std::unique(stable.begin(), stable.end()), stable.end());
+        std::vector<std::uint32_t> sorted(treated), rest;
+        std::sort(sorted.begin(), sorted.end());
+        std::set_difference(stable.begin(), stable.end(), sorted.begin(), sorted.end(), std::back_inserter(rest));
+        return rest;
+    }
+    for (const std::string& name : split(settings.stable.empty() ? kStable : settings.stable)) {
+        const auto& vertices = find_zone(settings, zones, name).vertices;
+        stable.insert(stable.end(), vertices.begin(), vertices.end());
+    }
+    return stable;
 }
 
 void run_report(const ReportSettings& settings) {
@@ -206,16 +140,13 @@ void run_report(const ReportSettings& settings) {
     const std::vector<Visit> visits = find_visits(settings.visits);
     std::vector<MeasureZone> all_zones, zones;
     for (auto& [name, vertices] : read_zones(settings.zones)) all_zones.push_back({name, std::move(vertices)});
-    auto zone_called = [&](const std::string& name) -> const MeasureZone& {
-        for (const MeasureZone& zone : all_zones)
-            if (zone.name == name) return zone;
-        throw std::runtime_error(settings.zones + ": has no zone '" + name + "'");
-    };
-    std::vector<std::uint32_t> stable;
-    for (const std::string& name : split(settings.stable)) {
+    auto zone_called = [&](const std::string& name) -> const MeasureZone& { return find_zone(settings, all_zones, name); };
+    std::vector<std::uint32_t> treated;
+    for (const std::string& name : settings.treated) {
         const auto& vertices = zone_called(name).vertices;
-        stable.insert(stable.end(), vertices.begin(), vertices.end());
+        treated.insert(treated.end(), vertices.begin(), vertices.end());
     }
+    const std::vector<std::uint32_t> stable = stable_vertices(settings, all_zones, treated);
     if (settings.shown.empty()) zones = all_zones;
     for (const std::string& name : settings.shown) zones.push_back(zone_called(name));
 
@@ -225,28 +156,32 @@ void run_report(const ReportSettings& settings) {
     if (!settings.model.empty()) model = std::make_unique<Model>(session, settings.model);
     if (!settings.expressions.empty()) expressions = std::make_unique<ExpressionModel>(session, settings.expressions);
 
-    std::vector<std::vector<Fitted>> fits;
+    std::vector<Fitted> fits;            // all captures
+    std::vector<std::size_t> first_of;   // the capture of each visit that is measured
     for (const Visit& visit : visits) {
-        fits.emplace_back();
+        first_of.push_back(fits.size());
         for (const Capture& capture : visit.captures)
-            fits.back().push_back(fit_capture(session, settings, model.get(), expressions.get(), capture));
+            fits.push_back(fit_capture(session, settings, model.get(), capture));
     }
+    std::unique_ptr<Visits> neutral;
+    if (expressions) neutral = neutralize_all(session, *expressions, treated, fits);
     // The same visit captured twice has no change in it: blanks, both ways.
     std::vector<std::vector<double>> blanks(zones.size());
-    for (const auto& captures : fits)
-        for (std::size_t a = 0; a < captures.size(); ++a)
-            for (std::size_t b = a + 1; b < captures.size(); ++b) {
-                const Pair pair = compare(session, settings, captures[a], captures[b], zones, stable);
-                for (std::size_t z = 0; z < zones.size(); ++z)
-                    blanks[z].push_back(pair.volumes[z].signed_ml);
+    for (std::size_t k = 0; k < visits.size(); ++k) {
+        const std::size_t end = first_of[k] + visits[k].captures.size();
+        for (std::size_t a = first_of[k]; a < end; ++a)
+            for (std::size_t b = a + 1; b < end; ++b) {
+                const Pair pair = compare(session, settings, fits, a, b, neutral.get(), zones, stable);
+                for (std::size_t z = 0; z < zones.size(); ++z) blanks[z].push_back(pair.changes[z].signed_ml);
             }
+    }
 
     ReportPage page;
     page.title = settings.title;
-    const MeshArrays framing = arrays_of(fits[0][0].mesh);
+    const MeshArrays framing = arrays_of(fits[0].mesh);
     std::vector<Pair> pairs;
     for (std::size_t k = 1; k < visits.size(); ++k)
-        pairs.push_back(compare(session, settings, fits[0][0], fits[k][0], zones, stable));
+        pairs.push_back(compare(session, settings, fits, 0, first_of[k], neutral.get(), zones, stable));
     double range = 0.5;
     for (const Pair& pair : pairs)
         range = std::max(range, pair.distance.zone_distance(MIEN_ZONE_WHOLE).p95_length_mm);
@@ -255,19 +190,21 @@ void run_report(const ReportSettings& settings) {
         page.zones.push_back(zones[z].name);
     }
     // Blank's bound and detection, 1.645 deviations each, where repeated captures do not tell.
-    auto limit_ml = [&](std::size_t zone, const mien_zone_volume& volume) {
-        if (blanks[zone].size() < 2) return 2 * 1.6448536269514722 * volume.sd_ml;
+    auto limit_ml = [&](std::size_t zone, const ZoneChange& change) {
+        if (blanks[zone].size() < 2) return 2 * 1.6448536269514722 * change.sd_ml;
         return nlohmann::json::parse(repeatability(session, {}, {}, blanks[zone]))["limit_of_detection"].get<double>();
     };
     nlohmann::json report{{"title", settings.title}, {"unit", "mL"}, {"visits", nlohmann::json::array()}};
     for (std::size_t k = 0; k < visits.size(); ++k) {
         ReportVisit visit;
         visit.name = visits[k].name;
-        visit.good = fits[k][0].good;
-        visit.verdict = fits[k][0].verdict;
-        nlohmann::json entry{{"name", visit.name}, {"scan", visits[k].captures[0].mesh}, {"captures", fits[k].size()},
-                             {"registration", fits[k][0].report}};
-        const MeshArrays face = arrays_of(k == 0 ? fits[0][0].mesh : pairs[k - 1].aligned);
+        const Fitted& fit = fits[first_of[k]];
+        visit.good = fit.good;
+        visit.verdict = fit.verdict;
+        nlohmann::json entry{{"name", visit.name}, {"scan", visits[k].captures[0].mesh}, {"captures", visits[k].captures.size()},
+                             {"registration", fit.report}};
+        if (neutral) entry["expression"] = neutral->expression(static_cast<std::int32_t>(first_of[k]));
+        const MeshArrays face = arrays_of(k == 0 ? fit.mesh : pairs[k - 1].aligned);
         visit.face = draw_face(face, framing);
         if (k > 0) {
             const Pair& pair = pairs[k - 1];
@@ -278,17 +215,20 @@ void run_report(const ReportSettings& settings) {
             entry["alignment_rms_mm"] = pair.alignment.rms_mm;
             entry["zones"] = nlohmann::json::array();
             for (std::size_t z = 0; z < zones.size(); ++z) {
-                const mien_zone_volume& v = pair.volumes[z];
+                const ZoneChange& v = pair.changes[z];
                 const double limit = limit_ml(z, v);
-                ReportVolume volume{v.signed_ml, v.sd_ml, v.low95_ml, v.high95_ml, v.absolute_ml, limit,
+                ReportVolume volume{v.signed_ml, v.sd_ml, v.low95_ml(), v.high95_ml(), v.absolute_ml, limit,
                                     std::fabs(v.signed_ml) < limit};
                 visit.volumes.push_back(volume);
                 entry["zones"].push_back({{"name", zones[z].name},
                                           {"signed_ml", v.signed_ml},
                                           {"absolute_ml", v.absolute_ml},
                                           {"sd_ml", v.sd_ml},
-                                          {"low95_ml", v.low95_ml},
-                                          {"high95_ml", v.high95_ml},
+                                          {"sd_parts_ml", {{"surface", v.surface_ml}, {"alignment", v.alignment_ml},
+                                                           {"bias", v.bias_ml}, {"expression", v.expression_ml}}},
+                                          {"expression_removed_ml", v.removed_ml},
+                                          {"low95_ml", v.low95_ml()},
+                                          {"high95_ml", v.high95_ml()},
                                           {"limit_of_detection_ml", limit},
                                           {"below_limit_of_detection", volume.below_limit}});
             }
@@ -298,9 +238,11 @@ void run_report(const ReportSettings& settings) {
     }
     page.notes = {
         settings.fitted ? "Faces were fitted beforehand." : "Each scan was registered with the template of " + settings.model + ".",
-        expressions ? "Expressions were removed with " + settings.expressions + "; what that leaves open widens the intervals."
+        expressions ? "Expressions were removed with " + settings.expressions + ", from all captures together; what that leaves "
+                      "open widens the intervals: the fit's posterior and " + short_number(100 * settings.share) +
+                      " % of the volume that an expression accounted for."
                     : "Expressions were not removed: the intervals hold for faces that are held alike.",
-        "Faces were aligned on: " + settings.stable + ".",
+        std::string("Faces were aligned on: ") + (stable_is_untreated(settings) ? std::string("all zones but the treated ones") : settings.stable.empty() ? std::string(kStable) : settings.stable) + ".",
         "Volumes are exact between corresponding triangles; zones share their edge triangles linearly.",
         "Intervals combine the deviations of both fits, alike over " + short_number(settings.correlation) +
             " mm, the alignment's and a common bias of " + short_number(settings.bias) + " mm.",
@@ -327,9 +269,14 @@ void add_report_commands(CLI::App& app) {
     command->add_option("--expressions", settings->expressions, "expression model, to neutralize the faces");
     command->add_option("--zones", settings->zones, "zone file")->required();
     command->add_option("--show", settings->shown, "zones to report; default: all")->delimiter(',');
-    command->add_option("--stable", settings->stable, "zones to align on")->capture_default_str();
+    command->add_option("--treated", settings->treated, "zones where the person may have changed: no witness of the expression")
+        ->delimiter(',');
+    command->add_option("--stable", settings->stable, "zones to align on; default: forehead,nose, and with --expressions and --treated all that was not treated");
     command->add_option("--correlation", settings->correlation, "length over which errors go together, mm")->capture_default_str();
     command->add_option("--bias", settings->bias, "error common to all vertices, mm")->capture_default_str();
+    command->add_option("--expression-share", settings->share,
+                        "of the volume that an expression accounted for: what no training set knew of it")
+        ->capture_default_str();
     command->add_option("--title", settings->title)->capture_default_str();
     command->add_option("--out", settings->out, "HTML page")->required();
     add_common_options(*command, settings->common);
