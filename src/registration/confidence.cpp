@@ -11,7 +11,7 @@ namespace mien {
 
 Vector place_deviation(const DeformationModel& model, const FitState& state, const Vector& weight,
                        const PointsRef& normals_model, const std::vector<Pin>& pins,
-                       const RegistrationOptions& options, double data_weight, const Context& context) {
+                       const RegistrationOptions& options, const Context& context) {
     const Index n = model.num_vertices();
     const Index p = std::min<Index>(state.coefficients.pca.size(), 80);
     const Index r = std::min<Index>(state.coefficients.kernel.rows(), p > 0 ? 30 : 60);
@@ -36,7 +36,6 @@ Vector place_deviation(const DeformationModel& model, const FitState& state, con
         if (weight[i] > 0.05) rows.push_back(i);
     const double sigma = std::max(0.5, state.sigma_mm);
     Eigen::MatrixXf observed(static_cast<Index>(rows.size() + 3 * pins.size()), q);
-    (void)data_weight;
     parallel_for(context, rows.size(), 128, [&](std::size_t begin, std::size_t end) {
         Eigen::Matrix<float, 3, Eigen::Dynamic> block;
         for (std::size_t k = begin; k < end; ++k) {

@@ -10,6 +10,6 @@ namespace mien {
 /// modes only: a few hundred unknowns. `weight` is the final robust weight of each vertex.
 Vector place_deviation(const DeformationModel& model, const FitState& state, const Vector& weight,
                        const PointsRef& normals_model, const std::vector<Pin>& pins,
-                       const RegistrationOptions& options, double data_weight, const Context& context);
+                       const RegistrationOptions& options, const Context& context);
 
 }  // namespace mien

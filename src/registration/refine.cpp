@@ -1,9 +1,10 @@
 #include "registration/refine.hpp"
 
 #include <Eigen/Geometry>
+#include <Eigen/SVD>
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <map>
 
 #include "base/parallel.hpp"
 #include "geometry/normals.hpp"
@@ -103,73 +104,93 @@ void close_gap(const ScanSurface& scan, const Triangles& triangles, const Vertex
     context.progress(Stage::refining, 1);
 }
 
-std::vector<std::uint32_t> find_folds(const PointsRef& places, const PointsRef& rest, const Triangles& triangles,
-                                      double folded_below, double flat_above) {
-    const auto unit = [&](const PointsRef& points) {
-        Points normals = triangle_normals(points, triangles);
-        for (Index t = 0; t < normals.rows(); ++t) {
-            const double length = normals.row(t).norm();
-            if (length > 0) normals.row(t) /= length;
-        }
-        return normals;
-    };
-    const Points now = unit(places), before = unit(rest);
-    // Triangles over shared edges.
-    std::vector<std::array<std::uint32_t, 3>> sides;
-    sides.reserve(static_cast<std::size_t>(3 * triangles.rows()));
-    for (Index t = 0; t < triangles.rows(); ++t)
-        for (int k = 0; k < 3; ++k) {
-            const std::uint32_t a = triangles(t, k), b = triangles(t, (k + 1) % 3);
-            sides.push_back({std::min(a, b), std::max(a, b), static_cast<std::uint32_t>(t)});
-        }
-    std::sort(sides.begin(), sides.end());
-    std::vector<std::uint8_t> folded(static_cast<std::size_t>(triangles.rows()), 0);
-    for (std::size_t k = 0; k + 1 < sides.size(); ++k) {
-        if (sides[k][0] != sides[k + 1][0] || sides[k][1] != sides[k + 1][1]) continue;
-        const Index s = sides[k][2], t = sides[k + 1][2];
-        if (now.row(s).dot(now.row(t)) < folded_below && before.row(s).dot(before.row(t)) > flat_above)
-            folded[static_cast<std::size_t>(s)] = folded[static_cast<std::size_t>(t)] = 1;
+namespace {
+
+// The vertices within `reach` rings of a triangle's corners.
+void gather(const VertexRings& rings, const std::array<std::uint32_t, 3>& corners, int reach,
+            std::vector<std::uint32_t>& around) {
+    around.assign(corners.begin(), corners.end());
+    std::size_t begin = 0;
+    for (int ring = 0; ring < reach; ++ring) {
+        const std::size_t end = around.size();
+        for (std::size_t k = begin; k < end; ++k)
+            for (std::uint32_t j = rings.begin[around[k]]; j < rings.begin[around[k] + 1]; ++j)
+                if (std::find(around.begin(), around.end(), rings.neighbours[j]) == around.end())
+                    around.push_back(rings.neighbours[j]);
+        begin = end;
     }
-    std::vector<std::uint32_t> folds;
-    for (std::size_t t = 0; t < folded.size(); ++t)
-        if (folded[t]) folds.push_back(static_cast<std::uint32_t>(t));
-    return folds;
 }
 
-Index repair_folds(const PointsRef& rest, const Triangles& triangles, const VertexRings& rings, int rounds,
-                   Points& places, Index& repaired) {
-    std::vector<std::uint32_t> folds = find_folds(places, rest, triangles);
-    repaired = static_cast<Index>(folds.size());
-    for (int round = 0; round < rounds && !folds.empty(); ++round) {
+// The rotation that brings rest places nearest to places, of the given vertices.
+Matrix3 local_rotation(const PointsRef& rest, const PointsRef& places, const std::vector<std::uint32_t>& vertices) {
+    Eigen::RowVector3d from = Eigen::RowVector3d::Zero(), to = Eigen::RowVector3d::Zero();
+    for (const std::uint32_t v : vertices) from += rest.row(v), to += places.row(v);
+    from /= static_cast<double>(vertices.size());
+    to /= static_cast<double>(vertices.size());
+    Matrix3 covariance = Matrix3::Zero();
+    for (const std::uint32_t v : vertices) covariance += (places.row(v) - to).transpose() * (rest.row(v) - from);
+    const Eigen::JacobiSVD<Matrix3> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    Matrix3 u = svd.matrixU();
+    if ((u * svd.matrixV().transpose()).determinant() < 0) u.col(2) = -u.col(2);
+    return u * svd.matrixV().transpose();
+}
+
+}  // namespace
+
+std::vector<TurnedTriangle> find_turned(const PointsRef& rest, const Triangles& triangles, const VertexRings& rings,
+                                        const PointsRef& places, double max_turn_rad) {
+    constexpr int kReach = 3;
+    const Points now = triangle_normals(places, triangles), before = triangle_normals(rest, triangles);
+    const double least = std::cos(max_turn_rad);
+    std::vector<TurnedTriangle> turned;
+    std::vector<std::uint32_t> around;
+    for (Index t = 0; t < triangles.rows(); ++t) {
+        const double scale = now.row(t).norm() * before.row(t).norm();
+        // Most triangles are plainly right; the neighbourhood's own turn is asked for the others only.
+        if (now.row(t).dot(before.row(t)) > std::max(least, 0.64) * scale) continue;
+        gather(rings, {triangles(t, 0), triangles(t, 1), triangles(t, 2)}, kReach, around);
+        const Matrix3 rotation = local_rotation(rest, places, around);
+        if (now.row(t).dot((rotation * before.row(t).transpose()).transpose()) <= least * scale)
+            turned.push_back({static_cast<std::uint32_t>(t), rotation});
+    }
+    return turned;
+}
+
+Index straighten_turned(const PointsRef& rest, const Triangles& triangles, const VertexRings& rings,
+                        double max_turn_rad, int rounds, Points& places, Index& turned_before) {
+    std::vector<TurnedTriangle> turned = find_turned(rest, triangles, rings, places, max_turn_rad);
+    turned_before = static_cast<Index>(turned.size());
+    Points best = places;
+    std::size_t fewest = turned.size();
+    std::vector<std::uint32_t> around;
+    std::vector<Matrix3> rotation_of(static_cast<std::size_t>(places.rows()));
+    for (int round = 0; round < rounds && !turned.empty(); ++round) {
         std::vector<std::uint8_t> touched(static_cast<std::size_t>(places.rows()), 0);
-        for (const std::uint32_t t : folds)
-            for (int k = 0; k < 3; ++k) touched[triangles(static_cast<Index>(t), k)] = 1;
-        for (int ring = 0; ring < 1 + round / 4; ++ring) {
-            std::vector<std::uint8_t> wider = touched;
-            for (std::size_t i = 0; i < touched.size(); ++i)
-                if (touched[i])
-                    for (std::uint32_t k = rings.begin[i]; k < rings.begin[i + 1]; ++k) wider[rings.neighbours[k]] = 1;
-            touched = std::move(wider);
+        for (const TurnedTriangle& one : turned) {
+            const Index t = static_cast<Index>(one.triangle);
+            gather(rings, {triangles(t, 0), triangles(t, 1), triangles(t, 2)}, round < 4 ? 0 : 1, around);
+            for (const std::uint32_t v : around) touched[v] = 1, rotation_of[v] = one.rotation;
         }
-        // Displacements from the rest shape are averaged, so the template's own form is kept.
-        for (int step = 0; step < 4; ++step) {
+        for (int step = 0; step < 6; ++step) {
             Points moved = places;
             for (std::size_t i = 0; i < touched.size(); ++i) {
                 if (!touched[i] || rings.begin[i + 1] == rings.begin[i]) continue;
-                Eigen::RowVector3d mean = Eigen::RowVector3d::Zero();
+                const Index v = static_cast<Index>(i);
+                Vector3 mean = Vector3::Zero();
                 for (std::uint32_t k = rings.begin[i]; k < rings.begin[i + 1]; ++k) {
                     const Index j = static_cast<Index>(rings.neighbours[k]);
-                    mean += places.row(j) - rest.row(j);
+                    mean += places.row(j).transpose() + rotation_of[i] * (rest.row(v) - rest.row(j)).transpose();
                 }
                 mean /= static_cast<double>(rings.begin[i + 1] - rings.begin[i]);
-                const Index v = static_cast<Index>(i);
-                moved.row(v) = 0.4 * places.row(v) + 0.6 * (rest.row(v) + mean);
+                moved.row(v) = 0.3 * places.row(v) + 0.7 * mean.transpose();
             }
             places = moved;
         }
-        folds = find_folds(places, rest, triangles);
+        turned = find_turned(rest, triangles, rings, places, max_turn_rad);
+        if (turned.size() < fewest) fewest = turned.size(), best = places;
     }
-    return static_cast<Index>(folds.size());
+    places = best;
+    return static_cast<Index>(fewest);
 }
 
 Index count_self_intersections(const PointsRef& places, const Triangles& triangles, const Context& context) {

@@ -32,15 +32,21 @@ void close_gap(const ScanSurface& scan, const Triangles& triangles, const Vertex
                const CorrespondenceOptions& match, const GapOptions& options, Points& places,
                const Context& context);
 
-/// Triangles that fold against a neighbour (cosine of their normals below `folded`) where `rest` does not
-/// (cosine above `flat`).
-std::vector<std::uint32_t> find_folds(const PointsRef& places, const PointsRef& rest, const Triangles& triangles,
-                                      double folded = -0.3, double flat = 0.2);
+/// A triangle that lies otherwise than its neighbourhood carries it.
+struct TurnedTriangle {
+    std::uint32_t triangle;
+    Matrix3 rotation;  ///< of the neighbourhood (three rings), rest -> places
+};
+/// Triangles whose normal is more than `max_turn_rad` off the normal at rest turned with the neighbourhood.
+/// The neighbourhood is the judge, so that a lid that closes or a jaw that opens is no fold.
+std::vector<TurnedTriangle> find_turned(const PointsRef& rest, const Triangles& triangles, const VertexRings& rings,
+                                        const PointsRef& places, double max_turn_rad);
 
-/// Relaxes the surroundings of folds (umbrella steps with the template's edge shape) until none is left
-/// or `rounds` have passed. Returns the number of folds left.
-Index repair_folds(const PointsRef& rest, const Triangles& triangles, const VertexRings& rings, int rounds,
-                   Points& places, Index& repaired);
+/// Gives the corners of turned triangles (after four rounds their neighbours too) the template's own form among
+/// their neighbours: x_i = mean of x_j + R (rest_i - rest_j). Keeps the best of `rounds` rounds; returns the number
+/// of turned triangles left.
+Index straighten_turned(const PointsRef& rest, const Triangles& triangles, const VertexRings& rings,
+                        double max_turn_rad, int rounds, Points& places, Index& turned_before);
 
 /// Pairs of triangles that cross without sharing a vertex, counted by edges through triangles.
 Index count_self_intersections(const PointsRef& places, const Triangles& triangles, const Context& context);

@@ -32,8 +32,9 @@ void check_options(const RegistrationOptions& o, const TriMesh& scan) {
     positive(o.correspondence.max_angle_deg, "max_angle_deg");
     if (!(o.normal_length_mm >= 0) || !std::isfinite(o.normal_length_mm))
         fail(Status::invalid_argument, "registration: normal_length_mm is %g, it must not be negative", o.normal_length_mm);
-    if (!(o.data_weight >= 0) || !(o.kernel_amplitude >= 0))
-        fail(Status::invalid_argument, "registration: data_weight and kernel_amplitude must not be negative");
+    positive(o.data_weight, "data_weight");
+    if (!(o.kernel_amplitude >= 0))
+        fail(Status::invalid_argument, "registration: kernel_amplitude must not be negative");
     if (!(o.tangential >= 0 && o.tangential <= 1))
         fail(Status::invalid_argument, "registration: tangential is %g, it must be within 0 and 1", o.tangential);
     if (o.iterations < 1 || o.iterations > 10000)
@@ -232,7 +233,6 @@ RegistrationResult register_scan(const DeformationModel& model, const TriMesh& r
                                                : model.pca_modes.cols;
     Index r = options.max_scalar_modes >= 0 ? std::min(options.max_scalar_modes, model.basis.cols) : model.basis.cols;
     if (options.estimate_scale < 0) options.estimate_scale = p > 0 ? 0 : 1;
-    if (!(options.data_weight > 0)) options.data_weight = p > 0 ? 0.5 : 0.03;
     state.kernel_amplitude = options.kernel_amplitude > 0 ? options.kernel_amplitude : 1;
     if (p > 0 && r > 0) {
         r = std::min(r, options.max_residual_modes);
@@ -272,11 +272,12 @@ RegistrationResult register_scan(const DeformationModel& model, const TriMesh& r
     }
     result.start = state.motion;
     if (!pins.empty()) {
-        if (p == 0 && r > 0 && !(options.kernel_amplitude > 0)) {
-            const PinEvidence likeliest = likeliest_amplitude(model, pins, state.motion);
-            state.kernel_amplitude = likeliest.amplitude;
+        if (!(options.kernel_amplitude > 0)) {
+            const PinEvidence likeliest =
+                weigh_pins(model, pins, state.motion, state.kernel_amplitude, options.pca_amplitude);
+            state.kernel_amplitude *= likeliest.amplitude;
             for (Pin& pin : pins) pin.sigma_mm *= likeliest.noise;
-            context.log(LogLevel::debug, "kernel amplitude %.3f, picking error times %.2f", likeliest.amplitude,
+            context.log(LogLevel::debug, "kernel amplitude %.3f, picking error times %.2f", state.kernel_amplitude,
                         likeliest.noise);
         }
         std::vector<std::size_t> rejected =
@@ -307,7 +308,7 @@ RegistrationResult register_scan(const DeformationModel& model, const TriMesh& r
     const Triangles& triangles = model.template_mesh.triangles;
     const VertexRings rings = build_rings(n, triangles);
     const Points rest = state.motion.apply(PointsRef(model.template_mesh.vertices));
-    Index repaired = 0;
+    Index repaired = 0, turned = 0;
     if (options.close_gap) {
         GapOptions gap;
         gap.smoothness = options.gap_smoothness;
@@ -319,16 +320,17 @@ RegistrationResult register_scan(const DeformationModel& model, const TriMesh& r
         if (options.repair) repaired = undo_turns(before, triangles, rings, state.places);
     }
     carry_inner(rest, state.inner, state.places, context);
-    result.verdict.repaired_triangles = static_cast<int>(repaired);
-    result.verdict.flipped_triangles =
-        static_cast<int>(find_folds(state.places, rest, triangles, -0.7, 0.7).size());
+    Index left = static_cast<Index>(find_turned(rest, triangles, rings, state.places, options.max_turn_rad).size());
+    if (options.repair) left = straighten_turned(rest, triangles, rings, options.max_turn_rad, 12, state.places, turned);
+    result.verdict.repaired_triangles = static_cast<int>(repaired + turned - left);
+    result.verdict.flipped_triangles = static_cast<int>(left);
 
     // What the host gets.
     const Points normals = vertex_normals(state.places, triangles);
     const Points normals_model = normals * state.motion.rotation;
     result.weight = state.final_weight;
     result.confidence_mm = place_deviation(model, state, result.weight, normals_model, pins, options,
-                                           options.data_weight, context);
+                                           context);
     scan.tree.closest(state.places, 1e30, result.correspondence, context);
     result.residual_mm.resize(n);
     for (Index i = 0; i < n; ++i) {

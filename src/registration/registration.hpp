@@ -49,15 +49,14 @@ struct RegistrationOptions {
     double sigma_start_mm = 3;       ///< noise level of a surface hit, first ...
     double sigma_end_mm = 0.5;       ///< ... and last
     double robust_factor = 2;        ///< robust scale in noise levels
-    double tangential = 0.5;         ///< weight of sliding along the surface against leaving it; 1: point to point
+    double tangential = 0.1;         ///< weight of sliding along the surface against leaving it; 1: point to point
     double normal_length_mm = 5;     ///< how far a turn of the normal by one radian counts as a shift; 0: not
-    double data_weight = 0;          ///< independent hits per vertex (neighbours' errors are alike); 0: 0.5 for
-                                     ///< models with trained modes, 0.03 for others
+    double data_weight = 0.03;       ///< independent hits per vertex (neighbours' errors are alike)
     CorrespondenceOptions correspondence;
     // Loop
-    int iterations = 12;
+    int iterations = 16;
     double stop_movement_mm = 0.01;  ///< mean movement below which the last noise level ends
-    double sparse_rounds = 0.7;      ///< share of the rounds that look at a part of the vertices only
+    double sparse_rounds = 0.85;     ///< share of the rounds that look at a part of the vertices only
     Index sparse_stride = 3;         ///< and that part: one in so many
     double solver_tolerance = 0.1;   ///< by how much a round reduces its equations' residual; the next goes on
     bool estimate_motion = true;
@@ -74,7 +73,8 @@ struct RegistrationOptions {
     // Rest
     bool close_gap = true;           ///< smooth residual field along the normals
     double gap_smoothness = 20;
-    bool repair = true;              ///< relax folded triangles
+    bool repair = true;              ///< straighten folded triangles
+    double max_turn_rad = 1.05;      ///< against their neighbourhood, before a triangle counts as folded
     double normal_smoothing_mm = 2;
 };
 

@@ -162,7 +162,8 @@ std::vector<std::size_t> contradicting_pins(const DeformationModel& model, const
     return rejected;
 }
 
-PinEvidence likeliest_amplitude(const DeformationModel& model, const std::vector<Pin>& pins, const Similarity& motion) {
+PinEvidence weigh_pins(const DeformationModel& model, const std::vector<Pin>& pins, const Similarity& motion,
+                       double kernel_amplitude, double pca_amplitude) {
     PinEvidence best;
     if (pins.size() < 10 || pins.size() > 300) return best;
     const PinPrior prior = pin_prior(model, pins, motion);
@@ -170,15 +171,18 @@ PinEvidence likeliest_amplitude(const DeformationModel& model, const std::vector
     // Motions carry no evidence: everything is seen orthogonal to them.
     const Matrix whole = Eigen::HouseholderQR<Matrix>(prior.moves).householderQ() * Matrix::Identity(n, n);
     const Matrix others = whole.rightCols(n - prior.moves.cols());
-    const Eigen::SelfAdjointEigenSolver<Matrix> eigen(others.transpose() * prior.kernel * others);
+    const Matrix covariance =
+        kernel_amplitude * kernel_amplitude * prior.kernel + pca_amplitude * pca_amplitude * prior.vectors;
+    const Eigen::SelfAdjointEigenSolver<Matrix> eigen(others.transpose() * covariance * others);
     if (eigen.info() != Eigen::Success) return best;
     const Vector seen = eigen.eigenvectors().transpose() * (others.transpose() * prior.displacement);
     double sigma2 = 0;
     for (const Pin& pin : pins) sigma2 += pin.sigma_mm * pin.sigma_mm;
     sigma2 /= static_cast<double>(pins.size());
     double best_cost = 1e300;
+    const int most = model.pca_modes.cols > 0 ? 0 : 24;  // trained modes know how far faces differ
     for (int s = -8; s <= 2; ++s)
-        for (int k = -24; k <= 24; ++k) {
+        for (int k = -most; k <= most; ++k) {
             const double amplitude = std::pow(2.0, k / 8.0), noise = std::pow(2.0, s / 4.0);
             double cost = 0.5 * s * s;  // the picking error was given: half or double of it surprises
             for (Index j = 0; j < seen.size(); ++j) {

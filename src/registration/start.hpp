@@ -24,13 +24,15 @@ std::vector<std::size_t> contradicting_pins(const DeformationModel& model, const
                                             const Similarity& motion, double kernel_amplitude,
                                             double pca_amplitude);
 
-/// Factors on the kernel's deviation (1/8 to 8) and on the pins' picking error (1/4 to 1.4).
+/// Factors on the kernel's deviation (1/8 to 8; 1 when the model has trained modes) and on the pins' picking
+/// error (1/4 to 1.4).
 struct PinEvidence {
     double amplitude = 1, noise = 1;
 };
 /// Under which the pins' displacements are likeliest (marginal likelihood, motions left out); ones for fewer
 /// than ten pins.
-PinEvidence likeliest_amplitude(const DeformationModel& model, const std::vector<Pin>& pins, const Similarity& motion);
+PinEvidence weigh_pins(const DeformationModel& model, const std::vector<Pin>& pins, const Similarity& motion,
+                       double kernel_amplitude, double pca_amplitude);
 
 struct SearchResult {
     Similarity motion;

@@ -121,16 +121,28 @@ TEST(Correspondence, FiltersSayNoAtBordersAndAgainstNormals) {
     EXPECT_GT(found.weight[2], 0);
 }
 
-TEST(Folds, AreFoundAndUndone) {
+TEST(Folds, AreFoundAndStraightened) {
     const TriMesh sheet = face_sheet(30);
-    Points folded = sheet.vertices;
-    EXPECT_TRUE(find_folds(folded, sheet.vertices, sheet.triangles).empty());
-    folded.row(15 * 31 + 15) += Eigen::RowVector3d(9, 0, 0);  // over its neighbours
-    EXPECT_FALSE(find_folds(folded, sheet.vertices, sheet.triangles).empty());
-    Index repaired = 0;
     const VertexRings rings = build_rings(sheet.vertices.rows(), sheet.triangles);
-    EXPECT_EQ(repair_folds(sheet.vertices, sheet.triangles, rings, 12, folded, repaired), 0);
-    EXPECT_GT(repaired, 0);
+    Points folded = sheet.vertices;
+    EXPECT_TRUE(find_turned(sheet.vertices, sheet.triangles, rings, folded, 1.0).empty());
+    folded.row(15 * 31 + 15) += Eigen::RowVector3d(9, 0, 0);  // over its neighbours
+    EXPECT_FALSE(find_turned(sheet.vertices, sheet.triangles, rings, folded, 1.0).empty());
+    Index turned = 0;
+    const Points before = folded;
+    EXPECT_EQ(straighten_turned(sheet.vertices, sheet.triangles, rings, 1.0, 12, folded, turned), 0);
+    EXPECT_GT(turned, 0);
+    EXPECT_LT((folded - sheet.vertices).rowwise().norm().maxCoeff(), 1);
+    EXPECT_LT(((folded - before).rowwise().norm().array() > 0).count(), 60) << "only the fold's surroundings move";
+}
+
+// A part that turns as a whole, as a lid does that closes, is no fold.
+TEST(Folds, TurnWithTheirNeighbourhoodAreNone) {
+    const TriMesh sheet = face_sheet(30);
+    const VertexRings rings = build_rings(sheet.vertices.rows(), sheet.triangles);
+    const Matrix3 turn = Eigen::AngleAxisd(2.2, Vector3(1, 0.3, 0).normalized()).toRotationMatrix();
+    const Points turned = sheet.vertices * turn.transpose();
+    EXPECT_TRUE(find_turned(sheet.vertices, sheet.triangles, rings, turned, 0.5).empty());
 }
 
 TEST(Gap, IsClosedSmoothly) {
