@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "geometry/normals.hpp"
 #include "mesh/cleaning.hpp"
+#include "model/sampling.hpp"
 #include "registration/confidence.hpp"
 #include "registration/inner.hpp"
 #include "registration/nicp.hpp"
@@ -319,9 +320,12 @@ RegistrationResult register_scan(const DeformationModel& model, const TriMesh& r
         close_gap(scan, triangles, rings, open, options.correspondence, gap, state.places, context);
         if (options.repair) repaired = undo_turns(before, triangles, rings, state.places);
     }
-    carry_inner(rest, state.inner, state.places, context);
-    Index left = static_cast<Index>(find_turned(rest, triangles, rings, state.places, options.max_turn_rad).size());
-    if (options.repair) left = straighten_turned(rest, triangles, rings, options.max_turn_rad, 12, state.places, turned);
+    // What trained modes fold, faces have been seen to fold: only the rest has to lie as the template does.
+    const Points form = state.motion.apply(PointsRef(
+        model.template_mesh.vertices + displacement(model, {Matrix(), state.coefficients.pca.cast<double>()}, context)));
+    carry_inner(form, state.inner, state.places, context);
+    Index left = static_cast<Index>(find_turned(form, triangles, rings, state.places, options.max_turn_rad).size());
+    if (options.repair) left = straighten_turned(form, triangles, rings, options.max_turn_rad, 12, state.places, turned);
     result.verdict.repaired_triangles = static_cast<int>(repaired + turned - left);
     result.verdict.flipped_triangles = static_cast<int>(left);
 
