@@ -9,6 +9,7 @@
 #include "mesh/cleaning.hpp"
 #include "model/sampling.hpp"
 #include "registration/confidence.hpp"
+#include "registration/free_start.hpp"
 #include "registration/inner.hpp"
 #include "registration/nicp.hpp"
 #include "registration/refine.hpp"
@@ -105,31 +106,6 @@ double opposed_share(const DeformationModel& model, const ScanSurface& scan, con
         opposed += cosine < 0;
     }
     return near > 0 ? static_cast<double>(opposed) / static_cast<double>(near) : 0;
-}
-
-// A first fit with few modes, from a coarse pose.
-void approach(const DeformationModel& model, const ScanSurface& scan, const Vector& scan_weight,
-              const RegistrationOptions& options, FitState& state, const Context& context) {
-    RegistrationOptions first = options;
-    first.sigma_start_mm = options.approach_sigma_mm;
-    first.sigma_end_mm = options.sigma_start_mm;
-    first.iterations = options.approach_rounds;
-    first.data_weight = options.approach_weight;
-    first.sparse_rounds = 2;
-    first.sparse_stride = 5;
-    first.tangential = options.approach_tangential;
-    const Index p = std::min<Index>(state.coefficients.pca.size(), options.approach_pca_modes);
-    const Index r = p > 0 ? 0 : std::min<Index>(state.coefficients.kernel.rows(), options.approach_scalar_modes);
-    FitState rough;
-    rough.motion = state.motion;
-    rough.kernel_amplitude = state.kernel_amplitude;
-    rough.inner = state.inner;
-    rough.coefficients.kernel.setZero(r, 3);
-    rough.coefficients.pca.setZero(p);
-    fit_surface(model, scan, scan_weight, {}, first, rough, context);
-    state.motion = rough.motion;
-    state.coefficients.kernel.topRows(r) = rough.coefficients.kernel;
-    state.coefficients.pca.head(p) = rough.coefficients.pca;
 }
 
 // Where the field turned a triangle by more than 60 degrees, its corners (and, when that is not enough, their
@@ -300,8 +276,7 @@ RegistrationResult register_scan(const DeformationModel& model, const TriMesh& r
     }
     context.progress(Stage::alignment, 1);
 
-    // Without landmarks the start is coarse: the strongest modes come first, under much assumed noise.
-    if (pins.empty()) approach(model, scan, scan_weight, options, state, context);
+    if (pins.empty()) start_freely(model, scan, scan_weight, options, state, context);
 
     // The fit, and what the modes leave open.
     fit_surface(model, scan, scan_weight, pins, options, state, context);

@@ -1,0 +1,154 @@
+#include "registration/free_start.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "geometry/normals.hpp"
+
+namespace mien {
+namespace {
+
+constexpr double kDegree = 3.14159265358979323846 / 180;
+
+// How much of the jaw's turn a landmark of the 68-point scheme takes part in: 1 at the chin and the lower lip;
+// negative where the cheek pulls and nothing is known.
+double share_of_jaw(const std::string& name) {
+    const auto number = [&](const std::string& prefix) {
+        return name.compare(0, prefix.size(), prefix) == 0 ? std::atoi(name.c_str() + prefix.size()) : -1;
+    };
+    if (int k = number("jaw_"); k >= 0) {
+        const int from_ear = std::min(k, 16 - k);
+        if (from_ear >= 7) return 1;
+        if (from_ear <= 1) return 0;
+        return from_ear == 6 ? 0.8 : from_ear == 5 ? 0.5 : from_ear == 4 ? 0.3 : -1;
+    }
+    if (int k = number("mouth_outer_"); k >= 0) return k == 0 || k == 6 ? 0.4 : (k > 6 ? 1 : 0);
+    if (int k = number("mouth_inner_"); k >= 0) return k == 0 || k == 4 ? 0.4 : (k > 4 ? 1 : 0);
+    return 0;
+}
+
+// 0 to 1: the mean over the open skin within 100 mm of the nose's tip of exp(-d^2 / 2 s^2) cos^4 of the normals,
+// s = 2 mm. Unlike a residual it counts what has found no scan.
+double agreement(const DeformationModel& model, const ScanSurface& scan, const FitState& state, const Context& context) {
+    constexpr double kScale_mm = 2, kRadius_mm = 100;
+    const Points& rest = model.template_mesh.vertices;
+    std::vector<SurfaceHit> hits;
+    scan.tree.closest(state.places, 4 * kScale_mm, hits, context);
+    const Points normals = vertex_normals(state.places, model.template_mesh.triangles);
+    Index tip;
+    rest.col(2).maxCoeff(&tip);
+    double sum = 0;
+    Index counted = 0;
+    for (Index i = 0; i < rest.rows(); ++i) {
+        const std::size_t v = static_cast<std::size_t>(i);
+        if (state.inner[v] || (rest.row(i) - rest.row(tip)).norm() > kRadius_mm) continue;
+        ++counted;
+        if (!hits[v].valid() || scan.at_border(hits[v])) continue;
+        const double cosine = normals.row(i).dot(scan.normal_at(hits[v]).transpose());
+        if (cosine > 0) sum += std::pow(cosine, 4) * std::exp(-0.5 * hits[v].squared_distance / (kScale_mm * kScale_mm));
+    }
+    return counted > 0 ? sum / static_cast<double>(counted) : 0;
+}
+
+// A fit of a tenth of the vertices and few modes, all of them at rest.
+FitState rough_state(const FitState& state, Index scalar_modes, Index pca_modes) {
+    FitState rough;
+    rough.motion = state.motion;
+    rough.kernel_amplitude = state.kernel_amplitude;
+    rough.inner = state.inner;
+    rough.coefficients.kernel.setZero(scalar_modes, 3);
+    rough.coefficients.pca.setZero(pca_modes);
+    return rough;
+}
+
+// The opening that agrees with the scan clearly better than the closed mouth under the same prior, if any. A jaw
+// moves by centimetres, so the prior is given twice the amplitude.
+void try_openings(const DeformationModel& model, const ScanSurface& scan, const Vector& scan_weight,
+                  const RegistrationOptions& options, const FitState& start, FitState& rough, const Context& context) {
+    constexpr double kOpenings[] = {0, 10 * kDegree, 20 * kDegree, 30 * kDegree};
+    constexpr double kAmplitude = 2, kClearly = 0.01;
+    RegistrationOptions closer = options;
+    closer.sigma_start_mm = options.approach_sigma_mm / 3;
+    closer.sigma_end_mm = options.sigma_start_mm;
+    closer.iterations = 12;
+    closer.sparse_rounds = 2;
+    closer.sparse_stride = 5;
+    closer.tangential = 0.05;
+    const Index modes = std::min<Index>(start.coefficients.kernel.rows(), 80);
+    double best = 0;
+    for (const double opening : kOpenings) {
+        FitState trial = rough_state(start, modes, 0);
+        if (!(options.kernel_amplitude > 0)) trial.kernel_amplitude *= kAmplitude;
+        const std::vector<Pin> pins = open_jaw(model, trial, opening);
+        if (pins.empty()) return;
+        fit_pins(model, pins, options, trial, context);
+        fit_surface(model, scan, scan_weight, {}, closer, trial, context);
+        const double agrees = agreement(model, scan, trial, context);
+        context.log(LogLevel::debug, "jaw opened by %.0f degrees: agreement %.4f", opening / kDegree, agrees);
+        if (opening == 0) {
+            best = agrees + kClearly;
+        } else if (agrees > best) {
+            best = agrees;
+            rough = std::move(trial);
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<Pin> open_jaw(const DeformationModel& model, const FitState& state, double opening_rad) {
+    Points shape = model.template_mesh.vertices;
+    if (state.displacement.rows() == shape.rows())
+        shape += state.displacement;
+    else if (model.mean_displacement.rows() > 0)
+        shape += model.mean_displacement;
+    const auto place = [&](const char* name, Vector3& at) {
+        for (const Landmark& landmark : model.landmarks)
+            if (landmark.name == name) return at = shape.row(landmark.vertex).transpose(), true;
+        return false;
+    };
+    Vector3 right, left, angle, lip;
+    if (!place("jaw_00", right) || !place("jaw_16", left) || !place("jaw_03", angle) || !place("mouth_outer_09", lip)) return {};
+    const double width = (left - right).norm();
+    if (!(width > 0)) return {};
+    // The condyles slide forward while they turn: as a whole it is a turn about a line behind the jaw's angles.
+    right[1] = left[1] = angle[1];
+    right[2] -= 0.12 * width;
+    left[2] -= 0.12 * width;
+    const Vector3 axis = (left - right).normalized();
+    const double down = axis.cross(lip - 0.5 * (left + right))[1] > 0 ? -1 : 1;
+    std::vector<Pin> pins;
+    for (const Landmark& landmark : model.landmarks) {
+        const double share = share_of_jaw(landmark.name);
+        if (share < 0) continue;
+        const Eigen::AngleAxisd turn(share * down * opening_rad, axis);
+        const Vector3 from = shape.row(landmark.vertex).transpose();
+        pins.push_back({static_cast<Index>(landmark.vertex), state.motion.apply(Vector3(right + turn * (from - right))), 1.5});
+    }
+    return pins;
+}
+
+void start_freely(const DeformationModel& model, const ScanSurface& scan, const Vector& scan_weight,
+                  const RegistrationOptions& options, FitState& state, const Context& context) {
+    RegistrationOptions first = options;
+    first.sigma_start_mm = options.approach_sigma_mm;
+    first.sigma_end_mm = options.sigma_start_mm;
+    first.iterations = options.approach_rounds;
+    first.data_weight = options.approach_weight;
+    first.sparse_rounds = 2;
+    first.sparse_stride = 5;
+    first.tangential = options.approach_tangential;
+    const Index p = std::min<Index>(state.coefficients.pca.size(), options.approach_pca_modes);
+    const Index r = p > 0 ? 0 : std::min<Index>(state.coefficients.kernel.rows(), options.approach_scalar_modes);
+    FitState rough = rough_state(state, r, p);
+    fit_surface(model, scan, scan_weight, {}, first, rough, context);
+    if (p == 0) try_openings(model, scan, scan_weight, options, state, rough, context);
+    state.motion = rough.motion;
+    state.kernel_amplitude = rough.kernel_amplitude;
+    state.coefficients.kernel.topRows(rough.coefficients.kernel.rows()) = rough.coefficients.kernel;
+    state.coefficients.pca.head(p) = rough.coefficients.pca;
+}
+
+}  // namespace mien
