@@ -70,7 +70,8 @@ typedef struct mien_register_options {
 /** How far a fit is to be trusted. */
 enum { MIEN_QUALITY_GOOD = 0, MIEN_QUALITY_DOUBTFUL = 1, MIEN_QUALITY_FAILED = 2 };
 
-/** The verdict on a fit; the reasons in words are in the JSON report. */
+/** The verdict on a fit; the reasons in words are in the JSON report. Without landmarks and without trained modes a
+ *  fit is doubtful at best: its surface may be right and its vertices slid along it by millimetres. */
 typedef struct mien_fit_verdict {
     uint32_t struct_size;
     int32_t quality;          /**< MIEN_QUALITY_* */

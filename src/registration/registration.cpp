@@ -79,7 +79,7 @@ std::vector<Pin> match_landmarks(const DeformationModel& model, const std::vecto
     return pins;
 }
 
-double choose_unit(const Points& vertices, UnitRule rule, Verdict& verdict) {
+double choose_unit(const Points& vertices, UnitRule rule) {
     if (rule == UnitRule::millimetres) return 1;
     const double unit = detect_unit_mm(vertices);
     if (rule == UnitRule::refuse && unit != 1)
@@ -87,7 +87,6 @@ double choose_unit(const Points& vertices, UnitRule rule, Verdict& verdict) {
              unit == 0 ? "the scan's size fits no head in mm, cm, inches or metres"
                        : "the scan is not in millimetres: one unit seems to be %g mm; scale it or let units be detected",
              unit);
-    (void)verdict;
     return unit == 0 ? 1 : unit;
 }
 
@@ -173,6 +172,7 @@ void assess(const DeformationModel& model, const ScanSurface& scan, const std::v
         deviation = std::max<double>(deviation, std::sqrt(c.kernel.squaredNorm() / static_cast<double>(c.kernel.size())) /
                                                     state.kernel_amplitude);
     v.mean_deviation = deviation;
+    v.may_slide = pins.empty() && c.pca.size() == 0;
     judge(v, VerdictLimits());
 }
 
@@ -189,7 +189,7 @@ RegistrationResult register_scan(const DeformationModel& model, const TriMesh& r
 
     // The scan: cleaned, in millimetres, weighted, in a tree.
     CleanedMesh cleaned = clean_mesh(raw_scan, CleaningOptions(), context);
-    const double unit = choose_unit(cleaned.mesh.vertices, options.units, result.verdict);
+    const double unit = choose_unit(cleaned.mesh.vertices, options.units);
     result.verdict.unit_to_mm = unit;
     cleaned.mesh.vertices *= unit;
     Vector scan_weight;

@@ -45,6 +45,11 @@ void judge(Verdict& v, const VerdictLimits& l) {
                 "the shape is implausible (%.1f standard deviations of the prior)");
     judge.limit(v.flipped_triangles, l.doubtful_flipped, l.failed_flipped, false,
                 "%.0f triangles are folded over");
+    if (v.may_slide) {
+        if (v.quality == FitQuality::good) v.quality = FitQuality::doubtful;
+        v.reasons.emplace_back("neither landmarks nor trained modes tell where along the skin mouth, brows and cheeks are: "
+                               "the surface is right, but its vertices may have slid along it by some millimetres");
+    }
     if (!v.landmarks_rejected.empty()) {
         std::string names = "landmarks that contradict the others were left out:";
         for (const std::string& name : v.landmarks_rejected) names += " " + name;

@@ -128,6 +128,14 @@ TEST(Registration, FindsThePoseByItself) {
     EXPECT_LT(fit.residual_mm.cwiseAbs().mean(), 0.3);
 }
 
+TEST(Registration, DoubtsAFitThatNothingHoldsAlongTheSkin) {
+    const SmallFace face = small_face();
+    const RegistrationResult alone = register_scan(face.model, scan_of(face, Similarity()), {}, {}, {});
+    EXPECT_EQ(alone.verdict.quality, FitQuality::doubtful) << registration_json(alone);
+    ASSERT_FALSE(alone.verdict.reasons.empty());
+    EXPECT_NE(alone.verdict.reasons.back().find("slid"), std::string::npos);
+}
+
 TEST(Registration, StartsFromAGivenPose) {
     const SmallFace face = small_face();
     const Similarity motion = motion_of(100, Vector3(0, 1, 0), Vector3(80, 0, -15));  // beyond the search
