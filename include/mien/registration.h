@@ -35,7 +35,7 @@ enum {
 
 /** What one unit of the scan is. */
 enum {
-    MIEN_UNITS_DETECT = 0,      /**< metres, centimetres and inches are recognised by size and scaled */
+    MIEN_UNITS_DETECT = 0,      /**< metres, deci- and centimetres and inches are recognised by size and scaled */
     MIEN_UNITS_MILLIMETRES = 1,
     MIEN_UNITS_REFUSE = 2       /**< anything that does not look like millimetres is an error */
 };

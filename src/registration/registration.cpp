@@ -84,7 +84,7 @@ double choose_unit(const Points& vertices, UnitRule rule) {
     const double unit = detect_unit_mm(vertices);
     if (rule == UnitRule::refuse && unit != 1)
         fail(Status::invalid_argument,
-             unit == 0 ? "the scan's size fits no head in mm, cm, inches or metres"
+             unit == 0 ? "the scan's size fits no head in mm, cm, dm, inches or metres"
                        : "the scan is not in millimetres: one unit seems to be %g mm; scale it or let units be detected",
              unit);
     return unit == 0 ? 1 : unit;

@@ -209,7 +209,7 @@ double detect_unit_mm(const PointsRef& vertices) {
     }
     const double size = extent.norm();
     // A face alone measures about 200 mm across corners, a bust 700.
-    for (const double unit : {1.0, 10.0, 25.4, 1000.0})
+    for (const double unit : {1.0, 10.0, 25.4, 1000.0, 100.0})
         if (size * unit >= 110 && size * unit <= 900) return unit;
     return 0;
 }

@@ -43,7 +43,7 @@ struct SearchResult {
 /// any shift. Deterministic.
 SearchResult search_pose(const DeformationModel& model, const ScanSurface& scan, const Context& context);
 
-/// What one unit of the scan is in mm, by its extent: 1, 10, 25.4 or 1000; 0 when nothing fits a head.
+/// What one unit of the scan is in mm, by its extent: 1, 10, 25.4, 100 or 1000; 0 when nothing fits a head.
 double detect_unit_mm(const PointsRef& vertices);
 
 }  // namespace mien

@@ -74,12 +74,12 @@ TEST(Registration, ThreadsDoNotChangeABit) {
     EXPECT_EQ(alone.confidence_mm, together.confidence_mm);
 }
 
-TEST(Registration, RecognisesMetresAndCentimetres) {
+TEST(Registration, RecognisesMetresDecimetresAndCentimetres) {
     const SmallFace face = small_face();
     const auto landmarks = landmarks_of(face, Similarity());
     const RegistrationResult mm = register_scan(face.model, scan_of(face, Similarity()), landmarks, {}, {});
     EXPECT_EQ(mm.verdict.unit_to_mm, 1);
-    for (const double unit : {1000.0, 10.0}) {
+    for (const double unit : {1000.0, 100.0, 10.0}) {
         TriMesh scan = scan_of(face, Similarity());
         scan.vertices /= unit;
         auto scaled = landmarks;
