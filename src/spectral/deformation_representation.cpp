@@ -3,11 +3,13 @@
 // minimises sum_ij c_ij |x_i - x_j - T_i e_ij|^2, that is
 //     L x = b(T),  b_i = sum_j c_ij (T_i + T_j) e_ij / 2.
 // Departures. (1) The thesis' fit and inverse are not inverses of each other: the x that belongs to
-// T(x) is not x, since b(T(x)) is not L x. So the smallest change of T with b(T) = L x is added to the
-// fit: T += B'(B B')^-1 (L x - b(T)), B the matrix of b; one more prefactored solve, and the round trip
-// is exact. (2) Rotation vectors are unwound over the surface by breadth-first search, as ACAP does by
-// optimisation, so that rotations near pi neither jump nor lose a turn. (3) Cotangent weights are
-// clamped from below, which keeps L positive.
+// T(x) is not x, since b(T(x)) is not L x. So the change of T with b(T) = L x that costs the fits least,
+// in the metric of their moments M, is added: T += M^-1 B'(B M^-1 B')^-1 (L x - b(T)), B the matrix of
+// b; one more prefactored solve, and the round trip is exact. (2) Rotation vectors are unwound over the
+// surface, neighbours that agree first, as ACAP does by optimisation, so that rotations near pi neither
+// jump nor lose a turn. (3) Cotangent weights are clamped to 0.5..2 of their mean. In the thin triangles
+// at the corners of the mouth they differ a hundredfold, and the change (1) then turns neighbours
+// against each other by radians, which shows in what lies half-way between two faces.
 #include "spectral/deformation_representation.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -16,6 +18,7 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
@@ -27,7 +30,8 @@ namespace {
 
 constexpr std::size_t kChunk = 1024;
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kLeastWeight = 0.05;     // of the mean weight
+constexpr double kLeastWeight = 0.5;      // of the mean weight
+constexpr double kMostWeight = 2;         // of the mean weight
 constexpr double kNormalWeight = 0.25;    // of the one-ring's moment
 constexpr double kIdentityWeight = 1e-9;  // for rings that are lines or points
 constexpr double kRegular = 1e-10;        // for modes that no one-ring sees (regular grids)
@@ -78,12 +82,11 @@ struct DeformationRepresentation::State {
     std::vector<Matrix3> inverse_moment;
     Vector normal_weight, identity_weight;
     std::vector<int> component;
-    std::vector<int> breadth_first;  // vertices, parents before children
-    std::vector<int> parent;
+    std::vector<int> starts;                 // lowest vertex of each component
     std::vector<Eigen::RowVector3d> centre;  // of each component's vertices
     std::vector<int> component_size;
     Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower> laplace;  // with one vertex of each piece pinned
-    Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower> dual;     // B B'
+    Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower> dual;     // B M^-1 B'
     std::vector<char> pinned;
 
     void build_rings();
@@ -91,6 +94,7 @@ struct DeformationRepresentation::State {
     void factorise();
     Points right_side(const Eigen::Ref<const Features>& t) const;
     Points laplace_times(const PointsRef& x) const;
+    void unwind(Features& t) const;
     void add_transposed(const Points& y, Features& t) const;
     void centre_pieces(Points& x, const std::vector<Eigen::RowVector3d>& wanted) const;
 };
@@ -114,7 +118,7 @@ void DeformationRepresentation::State::build_rings() {
         for (SparseMatrix::InnerIterator it(stiffness, j); it; ++it)
             if (it.row() != j) {
                 ring.push_back(static_cast<int>(it.row()));
-                weight.push_back(std::min(20 * sum / static_cast<double>(count),
+                weight.push_back(std::min(kMostWeight * sum / static_cast<double>(count),
                                           std::max(floor, -it.value())));
             }
         ring_begin[static_cast<std::size_t>(j) + 1] = static_cast<int>(ring.size());
@@ -151,29 +155,27 @@ void DeformationRepresentation::State::build_rings() {
 void DeformationRepresentation::State::walk() {
     const Index n = mesh.vertices.rows();
     component.assign(static_cast<std::size_t>(n), -1);
-    parent.assign(static_cast<std::size_t>(n), -1);
     pinned.assign(static_cast<std::size_t>(n), 0);
+    std::vector<int> queue;
     for (Index start = 0; start < n; ++start) {
         if (component[start] >= 0) continue;
-        const int number = static_cast<int>(centre.size());
-        std::size_t next = breadth_first.size();
-        breadth_first.push_back(static_cast<int>(start));
-        component[start] = number;
+        const int number = static_cast<int>(starts.size());
+        starts.push_back(static_cast<int>(start));
         pinned[start] = 1;
+        queue.assign(1, static_cast<int>(start));
+        component[start] = number;
         Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
-        const std::size_t first = next;
-        for (; next < breadth_first.size(); ++next) {
-            const int v = breadth_first[next];
+        for (std::size_t next = 0; next < queue.size(); ++next) {
+            const int v = queue[next];
             sum += mesh.vertices.row(v);
             for (int p = ring_begin[v]; p < ring_begin[v + 1]; ++p)
                 if (component[ring[p]] < 0) {
                     component[ring[p]] = number;
-                    parent[ring[p]] = v;
-                    breadth_first.push_back(ring[p]);
+                    queue.push_back(ring[p]);
                 }
         }
-        component_size.push_back(static_cast<int>(next - first));
-        centre.push_back(sum / static_cast<double>(next - first));
+        component_size.push_back(static_cast<int>(queue.size()));
+        centre.push_back(sum / static_cast<double>(queue.size()));
     }
 }
 
@@ -210,7 +212,15 @@ void DeformationRepresentation::State::factorise() {
     }
     SparseMatrix b(n, 3 * n);
     b.setFromTriplets(entries.begin(), entries.end());
-    SparseMatrix product = b * SparseMatrix(b.transpose());
+    entries.clear();
+    for (Index v = 0; v < n; ++v)
+        for (int r = 0; r < 3; ++r)
+            for (int c = 0; c < 3; ++c)
+                entries.emplace_back(static_cast<int>(3 * v) + r, static_cast<int>(3 * v) + c,
+                                     inverse_moment[v](r, c));
+    SparseMatrix inverse_moments(3 * n, 3 * n);
+    inverse_moments.setFromTriplets(entries.begin(), entries.end());
+    SparseMatrix product = b * inverse_moments * SparseMatrix(b.transpose());
     double largest = 0;
     for (Index v = 0; v < n; ++v) largest = std::max(largest, product.coeff(v, v));
     for (Index v = 0; v < n; ++v) product.coeffRef(v, v) += kRegular * largest + 1e-300;
@@ -243,10 +253,53 @@ Points DeformationRepresentation::State::laplace_times(const PointsRef& x) const
 
 void DeformationRepresentation::State::add_transposed(const Points& y, Features& t) const {
     for (Index v = 0; v < y.rows(); ++v) {
-        Eigen::Map<RowMatrix3> own(&t.coeffRef(v, 0));
+        Matrix3 change = Matrix3::Zero();
         for (int p = ring_begin[v]; p < ring_begin[v + 1]; ++p) {
             const Eigen::RowVector3d edge = mesh.vertices.row(v) - mesh.vertices.row(ring[p]);
-            own += 0.5 * weight[p] * (y.row(v) - y.row(ring[p])).transpose() * edge;
+            change += 0.5 * weight[p] * (y.row(v) - y.row(ring[p])).transpose() * edge;
+        }
+        Eigen::Map<RowMatrix3>(&t.coeffRef(v, 0)) += change * inverse_moment[v];
+    }
+}
+
+void DeformationRepresentation::State::unwind(Features& t) const {
+    // Turns whose neighbours agree come first, so that one vertex at odds with its neighbours does not
+    // hand a wrong full turn to those behind it.
+    struct Step {
+        double jump_rad;
+        int from, to;
+        bool operator<(const Step& other) const {  // for a heap with the smallest jump on top
+            return std::tie(jump_rad, to, from) > std::tie(other.jump_rad, other.to, other.from);
+        }
+    };
+    const auto turn = [&](int v) { return Vector3(t.row(v).head<3>()); };
+    std::vector<char> done(ring_begin.size() - 1, 0);
+    std::vector<Step> heap;
+    const auto leave = [&](int v) {
+        done[static_cast<std::size_t>(v)] = 1;
+        const Eigen::Quaterniond own(rotation_exponential(turn(v)));
+        for (int p = ring_begin[v]; p < ring_begin[v + 1]; ++p)
+            if (!done[static_cast<std::size_t>(ring[p])]) {
+                const Eigen::Quaterniond other(rotation_exponential(turn(ring[p])));
+                heap.push_back({own.angularDistance(other), v, ring[p]});
+                std::push_heap(heap.begin(), heap.end());
+            }
+    };
+    for (const int start : starts) {
+        leave(start);
+        while (!heap.empty()) {
+            std::pop_heap(heap.begin(), heap.end());
+            const Step step = heap.back();
+            heap.pop_back();
+            if (done[static_cast<std::size_t>(step.to)]) continue;
+            const Vector3 before = turn(step.from), own = turn(step.to);
+            const double angle = own.norm();
+            if (angle > 1e-9 || before.norm() > kPi) {
+                const Vector3 axis = angle > 1e-9 ? Vector3(own / angle) : Vector3(before.normalized());
+                const double turns = std::round((before.dot(axis) - angle) / (2 * kPi));
+                if (turns != 0) t.row(step.to).head<3>() = ((angle + 2 * kPi * turns) * axis).transpose();
+            }
+            leave(step.to);
         }
     }
 }
@@ -352,21 +405,7 @@ Features DeformationRepresentation::encode(const PointsRef& vertices, const Cont
                              stretch(0, 1), stretch(0, 2), stretch(1, 2);
                      }
                  });
-    for (const int v : s.breadth_first) {
-        if (s.parent[v] < 0) continue;
-        const Vector3 before = t.row(s.parent[v]).head<3>();
-        const Vector3 own = t.row(v).head<3>();
-        const double angle = own.norm();
-        Vector3 axis;
-        if (angle > 1e-9)
-            axis = own / angle;
-        else if (before.norm() > kPi)
-            axis = before.normalized();
-        else
-            continue;
-        const double turns = std::round((before.dot(axis) - angle) / (2 * kPi));
-        if (turns != 0) t.row(v).head<3>() = ((angle + 2 * kPi * turns) * axis).transpose();
-    }
+    s.unwind(t);
     return t;
 }
 

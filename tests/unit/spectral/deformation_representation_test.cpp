@@ -20,6 +20,19 @@ Matrix3 turn(double angle) {
     return Eigen::AngleAxisd(angle, Vector3(0.3, -1, 0.6).normalized()).toRotationMatrix();
 }
 
+// Sum over the triangles' edges of the relative deviation of x from the mean of both ends' lengths.
+double half_way_edge_error(const TriMesh& mesh, const Points& other, const Points& x) {
+    double sum = 0;
+    for (Index f = 0; f < mesh.triangles.rows(); ++f)
+        for (int c = 0; c < 3; ++c) {
+            const Index i = mesh.triangles(f, c), j = mesh.triangles(f, (c + 1) % 3);
+            const double wanted = 0.5 * ((mesh.vertices.row(i) - mesh.vertices.row(j)).norm() +
+                                         (other.row(i) - other.row(j)).norm());
+            sum += std::abs((x.row(i) - x.row(j)).norm() / wanted - 1);
+        }
+    return sum;
+}
+
 TEST(PolarDecomposition, IsExactForAnyMatrix) {
     for (int i = 0; i < 20; ++i) {
         const Matrix3 t = Matrix3::Random() * (i % 2 == 0 ? 1 : -1);
@@ -103,18 +116,22 @@ TEST(DeformationRepresentation, BeatsEuclideanInterpolationOfARotatedPart) {
     }
     const DeformationRepresentation dr(mesh, {});
     const Points half = dr.decode(0.5 * dr.encode(turned, {}), {}), mean = 0.5 * (mesh.vertices + turned);
-    const auto error = [&](const Points& x) {
-        double sum = 0;
-        for (Index f = 0; f < mesh.triangles.rows(); ++f)
-            for (int c = 0; c < 3; ++c) {
-                const Index i = mesh.triangles(f, c), j = mesh.triangles(f, (c + 1) % 3);
-                const double wanted = 0.5 * ((mesh.vertices.row(i) - mesh.vertices.row(j)).norm() +
-                                             (turned.row(i) - turned.row(j)).norm());
-                sum += std::abs((x.row(i) - x.row(j)).norm() / wanted - 1);
-            }
-        return sum;
-    };
-    EXPECT_LT(error(half), 0.5 * error(mean));
+    EXPECT_LT(half_way_edge_error(mesh, turned, half), 0.5 * half_way_edge_error(mesh, turned, mean));
+}
+
+TEST(DeformationRepresentation, BeatsEuclideanInterpolationOfABentSheetOfThinTriangles) {
+    // Columns 0.05 and 1.95 mm wide by turns, so that cotangents differ a hundredfold; rolled by 2 rad.
+    TriMesh sheet = test::grid(40, 10, 40, 10);
+    for (Index v = 0; v < sheet.vertices.rows(); ++v)
+        if (std::lround(sheet.vertices(v, 0)) % 2 == 1) sheet.vertices(v, 0) -= 0.95;
+    Points rolled = sheet.vertices;
+    for (Index v = 0; v < rolled.rows(); ++v) {
+        const double angle = 2.0 * sheet.vertices(v, 0) / 40, radius = 40 / 2.0;
+        rolled.row(v) << radius * std::sin(angle), sheet.vertices(v, 1), radius * (1 - std::cos(angle));
+    }
+    const DeformationRepresentation dr(sheet, {});
+    const Points half = dr.decode(0.5 * dr.encode(rolled, {}), {}), mean = 0.5 * (sheet.vertices + rolled);
+    EXPECT_LT(half_way_edge_error(sheet, rolled, half), 0.5 * half_way_edge_error(sheet, rolled, mean));
 }
 
 TEST(DeformationRepresentation, SurvivesDegenerateRingsAndPieces) {
