@@ -145,6 +145,7 @@ std::vector<TurnedTriangle> find_turned(const PointsRef& rest, const Triangles& 
     std::vector<TurnedTriangle> turned;
     std::vector<std::uint32_t> around;
     for (Index t = 0; t < triangles.rows(); ++t) {
+        if (!(before.row(t).norm() > 0)) continue;  // the template's own needle has no side to lie on
         const double scale = now.row(t).norm() * before.row(t).norm();
         // Most triangles are plainly right; the neighbourhood's own turn is asked for the others only.
         if (now.row(t).dot(before.row(t)) > std::max(least, 0.64) * scale) continue;

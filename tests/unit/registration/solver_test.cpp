@@ -136,6 +136,13 @@ TEST(Folds, AreFoundAndStraightened) {
     EXPECT_LT(((folded - before).rowwise().norm().array() > 0).count(), 60) << "only the fold's surroundings move";
 }
 
+TEST(Folds, NeedlesOfTheTemplateAreNone) {
+    TriMesh sheet = face_sheet(10);
+    sheet.vertices.row(30) = sheet.vertices.row(31);
+    const VertexRings rings = build_rings(sheet.vertices.rows(), sheet.triangles);
+    EXPECT_TRUE(find_turned(sheet.vertices, sheet.triangles, rings, sheet.vertices, 1.0).empty());
+}
+
 // A part that turns as a whole, as a lid does that closes, is no fold.
 TEST(Folds, TurnWithTheirNeighbourhoodAreNone) {
     const TriMesh sheet = face_sheet(30);
