@@ -3,8 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <filesystem>
+#include <nlohmann/json.hpp>
 
+#include "base/safetensors.hpp"
 #include "geometry/alignment.hpp"
+#include "mesh/mesh_file.hpp"
 #include "shapes.hpp"
 #include "spectral/deformation_transfer.hpp"
 
@@ -132,6 +136,25 @@ TEST(DeformationRepresentation, BeatsEuclideanInterpolationOfABentSheetOfThinTri
     const DeformationRepresentation dr(sheet, {});
     const Points half = dr.decode(0.5 * dr.encode(rolled, {}), {}), mean = 0.5 * (sheet.vertices + rolled);
     EXPECT_LT(half_way_edge_error(sheet, rolled, half), 0.5 * half_way_edge_error(sheet, rolled, mean));
+}
+
+// Thin triangles at the corners of the mouth once turned their neighbours by radians half-way.
+TEST(DeformationRepresentation, BeatsEuclideanInterpolationOfAnOpeningJaw) {
+    const std::string folder = std::string(MIEN_SHARED_DATA) + "/ict/";
+    if (!std::filesystem::exists(folder + "model.safetensors")) GTEST_SKIP() << "needs the shared data";
+    const TriMesh mesh = read_mesh_file(folder + "template.ply", {});
+    const SafetensorsFile file = SafetensorsFile::open(folder + "model.safetensors", {}, {});
+    const auto names = nlohmann::json::parse(file.metadata().at("expression_names")).get<std::vector<std::string>>();
+    const std::size_t jaw = static_cast<std::size_t>(std::find(names.begin(), names.end(), "jawOpen") - names.begin());
+    ASSERT_LT(jaw, names.size());
+    const Index n = mesh.vertices.rows();
+    const auto* modes = static_cast<const float*>(
+        file.tensor("expression_modes", DType::f32, {static_cast<std::int64_t>(names.size()), n, 3}).data);
+    const Points open = mesh.vertices + Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>>(
+                                            modes + 3 * n * static_cast<Index>(jaw), n, 3).cast<double>();
+    const DeformationRepresentation dr(mesh, {});
+    const Points half = dr.decode(0.5 * dr.encode(open, {}), {}), mean = 0.5 * (mesh.vertices + open);
+    EXPECT_LT(half_way_edge_error(mesh, open, half), half_way_edge_error(mesh, open, mean));
 }
 
 TEST(DeformationRepresentation, SurvivesDegenerateRingsAndPieces) {
