@@ -70,7 +70,7 @@ typedef struct mien_register_options {
 /** How far a fit is to be trusted. */
 enum { MIEN_QUALITY_GOOD = 0, MIEN_QUALITY_DOUBTFUL = 1, MIEN_QUALITY_FAILED = 2 };
 
-/** The verdict on a fit; the reasons in words are in the JSON report. Without landmarks and without trained modes a
+/** The verdict on a fit; the reasons in words are in the JSON report. With fewer than three landmarks and without trained modes a
  *  fit is doubtful at best: its surface may be right and its vertices slid along it by millimetres. */
 typedef struct mien_fit_verdict {
     uint32_t struct_size;

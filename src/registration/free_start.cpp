@@ -52,7 +52,16 @@ double agreement(const DeformationModel& model, const ScanSurface& scan, const F
     return counted > 0 ? sum / static_cast<double>(counted) : 0;
 }
 
-// A fit of a tenth of the vertices and few modes, all of them at rest.
+// Every fifth vertex, in every round.
+RegistrationOptions rough_options(const RegistrationOptions& options) {
+    RegistrationOptions rough = options;
+    rough.sigma_end_mm = options.sigma_start_mm;
+    rough.sparse_rounds = 2;
+    rough.sparse_stride = 5;
+    return rough;
+}
+
+// Few modes, all of them at rest.
 FitState rough_state(const FitState& state, Index scalar_modes, Index pca_modes) {
     FitState rough;
     rough.motion = state.motion;
@@ -66,15 +75,13 @@ FitState rough_state(const FitState& state, Index scalar_modes, Index pca_modes)
 // The opening that agrees with the scan clearly better than the closed mouth under the same prior, if any. A jaw
 // moves by centimetres, so the prior is given twice the amplitude.
 void try_openings(const DeformationModel& model, const ScanSurface& scan, const Vector& scan_weight,
-                  const RegistrationOptions& options, const FitState& start, FitState& rough, const Context& context) {
+                  const RegistrationOptions& options, const FitState& start, FitState& rough, const Context& context,
+                  const Context& quiet) {
     constexpr double kOpenings[] = {0, 10 * kDegree, 20 * kDegree, 30 * kDegree};
     constexpr double kAmplitude = 2, kClearly = 0.01;
-    RegistrationOptions closer = options;
+    RegistrationOptions closer = rough_options(options);
     closer.sigma_start_mm = options.approach_sigma_mm / 3;
-    closer.sigma_end_mm = options.sigma_start_mm;
     closer.iterations = 12;
-    closer.sparse_rounds = 2;
-    closer.sparse_stride = 5;
     closer.tangential = 0.05;
     const Index modes = std::min<Index>(start.coefficients.kernel.rows(), 80);
     double best = 0;
@@ -83,8 +90,9 @@ void try_openings(const DeformationModel& model, const ScanSurface& scan, const 
         if (!(options.kernel_amplitude > 0)) trial.kernel_amplitude *= kAmplitude;
         const std::vector<Pin> pins = open_jaw(model, trial, opening);
         if (pins.empty()) return;
-        fit_pins(model, pins, options, trial, context);
-        fit_surface(model, scan, scan_weight, {}, closer, trial, context);
+        fit_pins(model, pins, options, trial, quiet);
+        fit_surface(model, scan, scan_weight, {}, closer, trial, quiet);
+        context.progress(Stage::alignment, 0.94 + 0.05 * opening / kOpenings[3]);
         const double agrees = agreement(model, scan, trial, context);
         context.log(LogLevel::debug, "jaw opened by %.0f degrees: agreement %.4f", opening / kDegree, agrees);
         if (opening == 0) {
@@ -132,19 +140,19 @@ std::vector<Pin> open_jaw(const DeformationModel& model, const FitState& state, 
 
 void start_freely(const DeformationModel& model, const ScanSurface& scan, const Vector& scan_weight,
                   const RegistrationOptions& options, FitState& state, const Context& context) {
-    RegistrationOptions first = options;
+    RegistrationOptions first = rough_options(options);
     first.sigma_start_mm = options.approach_sigma_mm;
-    first.sigma_end_mm = options.sigma_start_mm;
     first.iterations = options.approach_rounds;
     first.data_weight = options.approach_weight;
-    first.sparse_rounds = 2;
-    first.sparse_stride = 5;
     first.tangential = options.approach_tangential;
     const Index p = std::min<Index>(state.coefficients.pca.size(), options.approach_pca_modes);
     const Index r = p > 0 ? 0 : std::min<Index>(state.coefficients.kernel.rows(), options.approach_scalar_modes);
     FitState rough = rough_state(state, r, p);
-    fit_surface(model, scan, scan_weight, {}, first, rough, context);
-    if (p == 0) try_openings(model, scan, scan_weight, options, state, rough, context);
+    Context quiet = context;  // fits report a stage that is still to come
+    quiet.progress_function = nullptr;
+    fit_surface(model, scan, scan_weight, {}, first, rough, quiet);
+    context.progress(Stage::alignment, 0.93);
+    if (p == 0) try_openings(model, scan, scan_weight, options, state, rough, context, quiet);
     state.motion = rough.motion;
     state.kernel_amplitude = rough.kernel_amplitude;
     state.coefficients.kernel.topRows(rough.coefficients.kernel.rows()) = rough.coefficients.kernel;

@@ -172,7 +172,7 @@ void assess(const DeformationModel& model, const ScanSurface& scan, const std::v
         deviation = std::max<double>(deviation, std::sqrt(c.kernel.squaredNorm() / static_cast<double>(c.kernel.size())) /
                                                     state.kernel_amplitude);
     v.mean_deviation = deviation;
-    v.may_slide = pins.empty() && c.pca.size() == 0;
+    v.may_slide = pins.size() < 3 && c.pca.size() == 0;
     judge(v, VerdictLimits());
 }
 
@@ -248,17 +248,18 @@ RegistrationResult register_scan(const DeformationModel& model, const TriMesh& r
         state.motion = found.motion;
     }
     result.start = state.motion;
+    const double pca_amplitude = p > 0 ? options.pca_amplitude : 0;  // modes left out say nothing of the landmarks
     if (!pins.empty()) {
         if (!(options.kernel_amplitude > 0)) {
             const PinEvidence likeliest =
-                weigh_pins(model, pins, state.motion, state.kernel_amplitude, options.pca_amplitude);
+                weigh_pins(model, pins, state.motion, state.kernel_amplitude, pca_amplitude);
             state.kernel_amplitude *= likeliest.amplitude;
             for (Pin& pin : pins) pin.sigma_mm *= likeliest.noise;
             context.log(LogLevel::debug, "kernel amplitude %.3f, picking error times %.2f", state.kernel_amplitude,
                         likeliest.noise);
         }
         std::vector<std::size_t> rejected =
-            contradicting_pins(model, pins, state.motion, state.kernel_amplitude, options.pca_amplitude);
+            contradicting_pins(model, pins, state.motion, state.kernel_amplitude, pca_amplitude);
         std::sort(rejected.rbegin(), rejected.rend());
         for (const std::size_t k : rejected) {
             result.verdict.landmarks_rejected.push_back(names[k]);
@@ -274,9 +275,8 @@ RegistrationResult register_scan(const DeformationModel& model, const TriMesh& r
         const Points shaped = state.places.rows() == n ? state.places : Points(state.motion.apply(PointsRef(rest)));
         if (opposed_share(model, scan, shaped, context) > 0.6) scan.turn_over();
     }
+    if (pins.size() < 3) start_freely(model, scan, scan_weight, options, state, context);
     context.progress(Stage::alignment, 1);
-
-    if (pins.empty()) start_freely(model, scan, scan_weight, options, state, context);
 
     // The fit, and what the modes leave open.
     fit_surface(model, scan, scan_weight, pins, options, state, context);

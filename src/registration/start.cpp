@@ -180,7 +180,7 @@ PinEvidence weigh_pins(const DeformationModel& model, const std::vector<Pin>& pi
     for (const Pin& pin : pins) sigma2 += pin.sigma_mm * pin.sigma_mm;
     sigma2 /= static_cast<double>(pins.size());
     double best_cost = 1e300;
-    const int most = model.pca_modes.cols > 0 ? 0 : 24;  // trained modes know how far faces differ
+    const int most = model.pca_modes.cols > 0 && pca_amplitude > 0 ? 0 : 24;  // trained modes know how far faces differ
     for (int s = -8; s <= 2; ++s)
         for (int k = -most; k <= most; ++k) {
             const double amplitude = std::pow(2.0, k / 8.0), noise = std::pow(2.0, s / 4.0);

@@ -24,7 +24,7 @@ std::vector<std::size_t> contradicting_pins(const DeformationModel& model, const
                                             const Similarity& motion, double kernel_amplitude,
                                             double pca_amplitude);
 
-/// Factors on the kernel's deviation (1/8 to 8; 1 when the model has trained modes) and on the pins' picking
+/// Factors on the kernel's deviation (1/8 to 8; 1 when trained modes take part) and on the pins' picking
 /// error (1/4 to 1.4).
 struct PinEvidence {
     double amplitude = 1, noise = 1;

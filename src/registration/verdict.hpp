@@ -28,7 +28,7 @@ struct Verdict {
     int self_intersections = 0;        ///< pairs of crossing triangles (lips, lids)
     double search_score = 0;           ///< of a start without landmarks, 0 to 1; 0 with
     double unit_to_mm = 1;             ///< what one unit of the scan was taken for
-    bool may_slide = false;            ///< no landmark and no trained mode says where along the skin a place is
+    bool may_slide = false;            ///< fewer than three landmarks and no trained mode say where along the skin a place is
 };
 
 /// Limits beyond which a fit is doubtful or failed.

@@ -136,6 +136,28 @@ TEST(Registration, DoubtsAFitThatNothingHoldsAlongTheSkin) {
     EXPECT_NE(alone.verdict.reasons.back().find("slid"), std::string::npos);
 }
 
+TEST(Registration, ReportsMonotoneProgressWithoutLandmarks) {
+    struct Seen {
+        std::int32_t stage = -1;
+        double fraction = 0;
+        bool monotone = true;
+        static std::int32_t note(void* user, std::int32_t stage, double fraction) {
+            Seen& seen = *static_cast<Seen*>(user);
+            if (stage < seen.stage || (stage == seen.stage && fraction < seen.fraction)) seen.monotone = false;
+            seen.stage = stage;
+            seen.fraction = fraction;
+            return 0;
+        }
+    } seen;
+    Context context;
+    context.progress_function = &Seen::note;
+    context.progress_user = &seen;
+    const SmallFace face = small_face();
+    register_scan(face.model, scan_of(face, Similarity()), {}, {}, context);
+    EXPECT_TRUE(seen.monotone);
+    EXPECT_EQ(seen.fraction, 1);
+}
+
 TEST(Registration, StartsFromAGivenPose) {
     const SmallFace face = small_face();
     const Similarity motion = motion_of(100, Vector3(0, 1, 0), Vector3(80, 0, -15));  // beyond the search

@@ -47,6 +47,8 @@ TEST(Pins, TrainedModesKeepTheirAmplitude) {
     const PinEvidence evidence = weigh_pins(face.model, noisy_pins(face, 0.05, 1.5), Similarity(), 1e-3, 1);
     EXPECT_EQ(evidence.amplitude, 1);
     EXPECT_LT(evidence.noise, 0.7);
+    // Left out of the fit they leave the amplitude to the landmarks.
+    EXPECT_GT(weigh_pins(face.model, noisy_pins(face, 0.05, 1.5), Similarity(), 0.25, 0).amplitude, 1.4);
 }
 
 // Ears and jaw of a face 140 mm wide, chin forward and below, lips at the middle.
