@@ -129,7 +129,9 @@ std::unique_ptr<Visits> neutralize_all(const Session& session, const ExpressionM
     for (std::size_t k = 0; k < fits.size(); ++k) {
         fits[k].mesh = visits->neutral(static_cast<std::int32_t>(k));
         const std::string name = visits->expression(static_cast<std::int32_t>(k));
-        fits[k].verdict += name.empty() || name == "neutral" ? "; no expression" : "; expression taken off: " + name;
+        fits[k].verdict += name.empty() || name == "neutral" ? "; no expression"
+                           : name == "any"                   ? "; an expression without a name taken off"
+                                                             : "; expression taken off: " + name;
     }
     return visits;
 }
