@@ -17,9 +17,10 @@ endif()
 
 find_program(MIEN_CCACHE ccache)
 if(MIEN_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-    # Precompiled headers are cached only with these two slacknesses and -fpch-preprocess.
+    # Precompiled headers are cached only with these two slacknesses and -fpch-preprocess. Depend mode: a header
+    # built over its predecessor would be preprocessed through that predecessor and the old one come back.
     set(CMAKE_CXX_COMPILER_LAUNCHER
-        ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${MIEN_CCACHE})
+        ${CMAKE_COMMAND} -E env CCACHE_DEPEND=1 CCACHE_SLOPPINESS=pch_defines,time_macros ${MIEN_CCACHE})
     set(CMAKE_C_COMPILER_LAUNCHER ${MIEN_CCACHE})
 endif()
 
