@@ -217,4 +217,30 @@ void expand_and_project(const Context& context, const ConstMatrixRefF& a, const 
     sums.add_up(out);
 }
 
+void project_rows(const Context& context, const ConstMatrixRefD& a_transposed, const PointsRef& field, Matrix& out) {
+    const Index k = a_transposed.rows();
+    const Matrix columns = field;
+    out = parallel_sum(context, static_cast<std::size_t>(field.rows()), kStrip, Matrix(Matrix::Zero(k, 3)),
+                       [&](std::size_t begin, std::size_t end) {
+                           const auto first = static_cast<Index>(begin), count = static_cast<Index>(end - begin);
+                           Matrix part = Matrix::Zero(k, 3);
+                           kernels<double>().expand_thin(k, count, a_transposed.col(first).data(),
+                                                         a_transposed.outerStride(), columns.data() + first,
+                                                         columns.rows(), part.data(), k);
+                           return part;
+                       });
+}
+
+void expand_rows(const Context& context, const ConstMatrixRefD& a_transposed, const Matrix& x, Points& field) {
+    const Index k = a_transposed.rows(), n = a_transposed.cols();
+    field.resize(n, 3);
+    parallel_for(context, static_cast<std::size_t>(n), kStrip, [&](std::size_t begin, std::size_t end) {
+        const auto count = static_cast<Index>(end - begin), first = n - static_cast<Index>(end);
+        Matrix part(count, 3);
+        kernels<double>().project_thin(k, count, a_transposed.col(first).data(), a_transposed.outerStride(), x.data(),
+                                       x.rows(), part.data(), count);
+        field.middleRows(first, count) = part;
+    });
+}
+
 }  // namespace mien::dense

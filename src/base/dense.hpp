@@ -52,6 +52,13 @@ void project_thin(const Context& context, const ConstMatrixRefF& a, const Field&
 void expand_and_project(const Context& context, const ConstMatrixRefF& a, const ConstMatrixRefF& x, Field& field,
                         const std::function<void(Index first, Index count)>& between, Eigen::MatrixXf& out);
 
+// The same for a matrix that is stored by rows, as a basis in a file is: A' (k x n) with A's rows as its columns.
+
+/// out (k x 3) = A' field (n x 3).
+void project_rows(const Context& context, const ConstMatrixRefD& a_transposed, const PointsRef& field, Matrix& out);
+/// field (n x 3) = A x for x (k x 3). Reads A from its end: what a projection just before left in the cache comes first.
+void expand_rows(const Context& context, const ConstMatrixRefD& a_transposed, const Matrix& x, Points& field);
+
 /// True when the AVX2+FMA loops are in use: the processor has them, and nobody asked for the portable ones.
 bool uses_avx2();
 /// For comparisons in one run: the portable loops from now on, on any processor. Not while a call is running.

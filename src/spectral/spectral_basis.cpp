@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "base/dense.hpp"
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "geometry/spectrum.hpp"
@@ -37,6 +38,11 @@ void check_limits(const SpectralBasis& basis, const std::vector<Index>& limits) 
                  static_cast<long long>(basis.num_modes()));
         previous = limit;
     }
+}
+
+// The transposed matrix of `count` modes from `first` on.
+Eigen::Map<const Matrix, 0, Eigen::OuterStride<>> modes_of(const SpectralBasis& basis, Index first, Index count) {
+    return {basis.vectors + first, count, basis.num_vertices(), Eigen::OuterStride<>(basis.num_modes())};
 }
 
 const char* name_of(MassKind kind) {
@@ -134,26 +140,9 @@ void save_spectral_basis(const std::string& path, const SpectralBasis& basis,
 Matrix project(const SpectralBasis& basis, const PointsRef& field, Index count,
                const Context& context) {
     check_field(basis, field, count);
-    const Index k = basis.num_modes();
-    const auto n = static_cast<std::size_t>(basis.num_vertices());
-    using Sums = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor>;
-    const Sums zero = Sums::Zero(3, count);
-    const Sums sums = parallel_sum(context, n, kRows, zero, [&](std::size_t begin, std::size_t end) {
-        Sums part = Sums::Zero(3, count);
-        double *px = part.data(), *py = px + count, *pz = py + count;
-        for (auto v = static_cast<Index>(begin); v < static_cast<Index>(end); ++v) {
-            const double* row = basis.vectors + v * k;
-            const double x = basis.mass[v] * field(v, 0), y = basis.mass[v] * field(v, 1),
-                         z = basis.mass[v] * field(v, 2);
-            for (Index c = 0; c < count; ++c) {
-                px[c] += x * row[c];
-                py[c] += y * row[c];
-                pz[c] += z * row[c];
-            }
-        }
-        return part;
-    });
-    return sums.transpose();
+    Matrix coefficients;
+    dense::project_rows(context, modes_of(basis, 0, count), basis.mass.asDiagonal() * field, coefficients);
+    return coefficients;
 }
 
 Points synthesise(const SpectralBasis& basis, const Matrix& coefficients, Index first,
@@ -162,16 +151,8 @@ Points synthesise(const SpectralBasis& basis, const Matrix& coefficients, Index 
     if (first < 0 || first + count > k || (count > 0 && coefficients.cols() != 3))
         fail(Status::invalid_argument, "%lld coefficients from mode %lld of a basis with %lld modes",
              static_cast<long long>(count), static_cast<long long>(first), static_cast<long long>(k));
-    Points field(basis.num_vertices(), 3);
-    parallel_for(context, static_cast<std::size_t>(field.rows()), kRows,
-                 [&](std::size_t begin, std::size_t end) {
-                     for (auto v = static_cast<Index>(begin); v < static_cast<Index>(end); ++v) {
-                         const Eigen::Map<const Eigen::RowVectorXd> row(
-                             basis.vectors + v * k + first, count);
-                         for (int d = 0; d < 3; ++d)
-                             field(v, d) = row.transpose().dot(coefficients.col(d));
-                     }
-                 });
+    Points field;
+    dense::expand_rows(context, modes_of(basis, first, count), coefficients, field);
     return field;
 }
 

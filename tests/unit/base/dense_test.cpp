@@ -89,6 +89,20 @@ TEST(Dense, ThinProductsAgreeWithPlainEigenOnBothInstructionSets) {
     }
 }
 
+TEST(Dense, ProductsOfRowsAgreeWithPlainEigenOnBothInstructionSets) {
+    const Matrix rows = waves<double>(43, 1003, 0.3), x = waves<double>(43, 3, 0.7);
+    const Points field = waves<double>(1003, 3, 0.5);
+    for (const bool portable : {true, false}) {
+        dense::use_portable_loops(portable);
+        Matrix projected;
+        Points expanded;
+        dense::project_rows({}, rows, field, projected);
+        dense::expand_rows({}, rows, x, expanded);
+        EXPECT_LT((projected - rows * field).cwiseAbs().maxCoeff(), 1e-11);
+        EXPECT_LT((expanded - rows.transpose() * x).cwiseAbs().maxCoeff(), 1e-12);
+    }
+}
+
 TEST(Dense, ThinProductsHaveTheSameBitsForAnyThreadCount) {
     const Eigen::MatrixXf a = waves<float>(5000, 60, 0.3), x = waves<float>(60, 3, 0.1);
     ThreadPool pool(3);
