@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "commands.hpp"
+#include "image.hpp"
 
 #if defined(_WIN32)
 #include <io.h>
@@ -84,6 +85,8 @@ void write_file(const std::string& path, const std::string& content) {
     out.close();
     if (!out) throw std::runtime_error(path + ": cannot be written");
 }
+
+void write_png(const std::string& path, const Image& image) { write_file(path, encode_png(image)); }
 
 void write_json(const std::string& path, const nlohmann::json& value) {
     write_file(path, value.dump(2) + "\n");

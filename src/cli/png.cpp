@@ -3,7 +3,6 @@
 
 #include <stdexcept>
 
-#include "commands.hpp"
 #include "image.hpp"
 
 namespace mien::cli {
@@ -26,8 +25,6 @@ std::string encode_png(const Image& image) {
     }
     throw std::runtime_error(std::string("PNG encoder: ") + header.message);
 }
-
-void write_png(const std::string& path, const Image& image) { write_file(path, encode_png(image)); }
 
 std::string base64(const std::string& bytes) {
     static const char kAlphabet[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

@@ -1,10 +1,12 @@
 // Figures 4.2 to 4.5: what k modes leave out, with and without the mass matrix, on neutral faces; and
 // the time to project and assemble one face.
-//   spectral_bands DATASET [FACES [MODES [VERTICES]]]
-// VERTICES refines the mean for the timing alone. Columns can be plotted as they are.
+//   spectral_bands DATASET [FACES [MODES [VERTICES [PICTURE.png]]]]
+// VERTICES refines the mean for the timing alone (0: no timing). The picture shows greatest against mean error.
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 
+#include "cli/plot.hpp"
 #include "mesh/dataset.hpp"
 #include "spectral/face_features.hpp"
 #include "spectral/spectral_basis.hpp"
@@ -12,7 +14,7 @@
 
 int main(int argc, char** argv) {
     using namespace mien;
-    if (argc < 2) return std::fprintf(stderr, "usage: %s DATASET [FACES [MODES [VERTICES]]]\n", argv[0]), 2;
+    if (argc < 2) return std::fprintf(stderr, "usage: %s DATASET [FACES [MODES [VERTICES [PICTURE.png]]]]\n", argv[0]), 2;
     try {
         ThreadPool pool(2);
         Context context, serial;
@@ -43,6 +45,9 @@ int main(int argc, char** argv) {
         }
         const Index ks[] = {50, 100, 150, 200, 250, 300, 350, 400, 500, 600, 700, 900, 1000, 1200, 1500, 1700, 2000};
         std::printf("# %zu faces, L1 in mm: k, mean and greatest with mass, mean and greatest without\n", faces.size());
+        cli::Curve curves[2];
+        curves[0].label = "with mass matrix";
+        curves[1].label = "without";
         for (const Index k : ks) {
             if (k > modes) break;
             double average[2] = {0, 0}, greatest[2] = {0, 0};
@@ -54,11 +59,22 @@ int main(int argc, char** argv) {
                     greatest[b] += error.maxCoeff() / static_cast<double>(faces.size());
                 }
             }
+            for (int b = 0; b < 2; ++b) {
+                curves[b].x.push_back(average[b]);
+                curves[b].y.push_back(greatest[b]);
+            }
             std::printf("%5ld  %.5f %.5f  %.5f %.5f\n", static_cast<long>(k), average[0], greatest[0], average[1],
                         greatest[1]);
             std::fflush(stdout);
         }
-        if (argc > 4) {
+        if (argc > 5) {
+            cli::PlotOptions plot;
+            plot.title = "what the low band leaves out";
+            plot.x_label = "mean error, mm";
+            plot.y_label = "greatest error, mm";
+            std::ofstream(argv[5], std::ios::binary) << cli::encode_png(cli::draw_plot({curves[0], curves[1]}, plot));
+        }
+        if (argc > 4 && std::atol(argv[4]) > 0) {
             const TriMesh fine = bench::refined(mean, std::atol(argv[4]));
             SpectralBasisOptions options;
             options.num_modes = 500;
