@@ -114,6 +114,8 @@ void gram_panels(const Context& context, const ConstRef& a, const WeightVector& 
 
 // Rows of a thin product at a time: with 500 columns half of a second cache of 1 MiB.
 constexpr std::size_t kStrip = 256;
+// Of one with a single column, which is read in the order of the memory: the column stays in the first cache.
+constexpr std::size_t kLongStrip = 3072;
 
 void check_thin(const ConstMatrixRefF& a, const Field& field) {
     if (field.rows() != a.rows())
@@ -215,6 +217,29 @@ void expand_and_project(const Context& context, const ConstMatrixRefF& a, const 
         sums.project(a, field, first, count);
     });
     sums.add_up(out);
+}
+
+void add_product(const Context& context, const ConstMatrixRefF& a, const Vector& x, Eigen::Ref<Vector> out) {
+    const Eigen::VectorXf factors = x.cast<float>();
+    parallel_for(context, static_cast<std::size_t>(a.rows()), kLongStrip, [&](std::size_t begin, std::size_t end) {
+        const auto first = static_cast<Index>(begin), count = static_cast<Index>(end - begin);
+        Eigen::VectorXf sum = Eigen::VectorXf::Zero(count);
+        kernels<float>().expand_column(count, a.cols(), a.data() + first, a.outerStride(), factors.data(), x.size(),
+                                       sum.data(), count);
+        out.segment(first, count) += sum.cast<double>();
+    });
+}
+
+Vector project(const Context& context, const ConstMatrixRefF& a, const Eigen::Ref<const Vector>& y) {
+    return parallel_sum(context, static_cast<std::size_t>(a.rows()), kLongStrip, Vector(Vector::Zero(a.cols())),
+                        [&](std::size_t begin, std::size_t end) {
+                            const auto first = static_cast<Index>(begin), count = static_cast<Index>(end - begin);
+                            const Eigen::VectorXf part = y.segment(first, count).cast<float>();
+                            Eigen::VectorXf sums(a.cols());
+                            kernels<float>().project_column(count, a.cols(), a.data() + first, a.outerStride(),
+                                                            part.data(), count, sums.data(), a.cols());
+                            return Vector(sums.cast<double>());
+                        });
 }
 
 void project_rows(const Context& context, const ConstMatrixRefD& a_transposed, const PointsRef& field, Matrix& out) {

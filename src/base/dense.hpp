@@ -52,6 +52,13 @@ void project_thin(const Context& context, const ConstMatrixRefF& a, const Field&
 void expand_and_project(const Context& context, const ConstMatrixRefF& a, const ConstMatrixRefF& x, Field& field,
                         const std::function<void(Index first, Index count)>& between, Eigen::MatrixXf& out);
 
+// The same for one column, which is kept in double.
+
+/// out += A x.
+void add_product(const Context& context, const ConstMatrixRefF& a, const Vector& x, Eigen::Ref<Vector> out);
+/// A' y; sums are floats within a strip of rows and doubles over the strips.
+Vector project(const Context& context, const ConstMatrixRefF& a, const Eigen::Ref<const Vector>& y);
+
 // The same for a matrix that is stored by rows, as a basis in a file is: A' (k x n) with A's rows as its columns.
 
 /// out (k x 3) = A' field (n x 3).

@@ -20,12 +20,12 @@ struct Kernels {
     /// n x m right-hand sides by that factor, in place.
     void (*solve_factored)(std::ptrdiff_t n, std::ptrdiff_t m, const Scalar* factor, std::ptrdiff_t ldf, Scalar* b,
                            std::ptrdiff_t ldb);
-    /// Y (m x 3) += A X for A (m x k), X (k x 3).
-    void (*expand_thin)(std::ptrdiff_t m, std::ptrdiff_t k, const Scalar* a, std::ptrdiff_t lda, const Scalar* x,
-                        std::ptrdiff_t ldx, Scalar* y, std::ptrdiff_t ldy);
-    /// X (k x 3) = A' Y.
-    void (*project_thin)(std::ptrdiff_t m, std::ptrdiff_t k, const Scalar* a, std::ptrdiff_t lda, const Scalar* y,
-                         std::ptrdiff_t ldy, Scalar* x, std::ptrdiff_t ldx);
+    using Thin = void (*)(std::ptrdiff_t m, std::ptrdiff_t k, const Scalar* a, std::ptrdiff_t lda, const Scalar* in,
+                          std::ptrdiff_t ld_in, Scalar* out, std::ptrdiff_t ld_out);
+    Thin expand_thin;     ///< Y (m x 3) += A X for A (m x k), X (k x 3)
+    Thin project_thin;    ///< X (k x 3) = A' Y
+    Thin expand_column;   ///< the same for one column
+    Thin project_column;  ///< the same for one column
 };
 
 const Kernels<double>& portable_kernels_f64();

@@ -10,8 +10,6 @@
 namespace mien {
 namespace {
 
-constexpr std::size_t kRowChunk = 3072;  ///< rows of the modes per task: floats stay in the cache
-
 void check_options(const FitOptions& options) {
     if (options.max_sweeps < 1 || options.max_sweeps > 100000)
         fail(Status::invalid_argument, "max_sweeps is %d; give 1 to 100000", options.max_sweeps);
@@ -66,28 +64,11 @@ PartSolution solve_part(const FitPlan::Part& part, const Vector& projection, dou
 }  // namespace
 
 Vector project_modes(const Context& context, const ModesView& modes, const Vector& displacement) {
-    const std::size_t rows = static_cast<std::size_t>(modes.rows);
-    const Eigen::VectorXf values = displacement.cast<float>();
-    return parallel_sum(
-        context, rows, kRowChunk, Vector(Vector::Zero(modes.cols)),
-        [&](std::size_t begin, std::size_t end) {
-            const Index first = static_cast<Index>(begin), size = static_cast<Index>(end - begin);
-            const Eigen::VectorXf sums =
-                modes.map().middleRows(first, size).transpose() * values.segment(first, size);
-            return Vector(sums.cast<double>());
-        });
+    return dense::project(context, modes.map(), displacement);
 }
 
-void add_modes(const Context& context, const ModesView& modes, const Vector& coordinates,
-               double factor, Eigen::Ref<Vector> out) {
-    const Eigen::VectorXf scaled = (factor * coordinates).cast<float>();
-    parallel_for(context, static_cast<std::size_t>(modes.rows), kRowChunk,
-                 [&](std::size_t begin, std::size_t end) {
-                     const Index first = static_cast<Index>(begin);
-                     const Index size = static_cast<Index>(end - begin);
-                     const Eigen::VectorXf sum = modes.map().middleRows(first, size) * scaled;
-                     out.segment(first, size) += sum.cast<double>();
-                 });
+void add_modes(const Context& context, const ModesView& modes, const Vector& coordinates, Eigen::Ref<Vector> out) {
+    dense::add_product(context, modes.map(), coordinates, out);
 }
 
 void check_face(const ExpressionModel& model, const PointsRef& vertices, const Vector& weights) {

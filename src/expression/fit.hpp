@@ -84,8 +84,7 @@ FitPlan::Part plan_part(const ExpressionModel& model, const Matrix& gram, double
 
 /// B' y without B in double: columns of floats, sums in double over fixed chunks.
 Vector project_modes(const Context& context, const ModesView& modes, const Vector& displacement);
-/// out += factor * modes * coordinates.
-void add_modes(const Context& context, const ModesView& modes, const Vector& coordinates,
-               double factor, Eigen::Ref<Vector> out);
+/// out += modes * coordinates.
+void add_modes(const Context& context, const ModesView& modes, const Vector& coordinates, Eigen::Ref<Vector> out);
 
 }  // namespace mien

@@ -16,8 +16,8 @@ namespace {
 void add_coordinates(const Context& context, const ExpressionModel& model, const Vector& along,
                      Eigen::Ref<Vector> out) {
     const Vector a = along.head(model.num_identity_modes()), b = along.tail(model.num_expression_modes());
-    if (!a.isZero(0.0)) add_modes(context, model.identity_modes, a, 1.0, out);
-    if (!b.isZero(0.0)) add_modes(context, model.expression_modes, b, 1.0, out);
+    if (!a.isZero(0.0)) add_modes(context, model.identity_modes, a, out);
+    if (!b.isZero(0.0)) add_modes(context, model.expression_modes, b, out);
 }
 
 constexpr double kMuchUnseen = 0.4;  ///< share of a face above which a result says that it was not seen

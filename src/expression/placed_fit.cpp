@@ -244,8 +244,8 @@ class FaceFitter {
         const Index n = model_.num_vertices(), p = model_.num_identity_modes();
         const Index q = model_.num_expression_modes();
         Vector made = Vector::Zero(3 * n);
-        add_modes(context_, model_.identity_modes, coordinates.head(p), 1.0, made);
-        add_modes(context_, model_.expression_modes, coordinates.tail(q), 1.0, made);
+        add_modes(context_, model_.identity_modes, coordinates.head(p), made);
+        add_modes(context_, model_.expression_modes, coordinates.tail(q), made);
         for (int k = 0; k < g.size(); ++k) made += g[k] * motion(k);
         Vector distance = Vector::Zero(n);
         for (Index i = 0; i < n; ++i)

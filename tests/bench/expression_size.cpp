@@ -161,7 +161,7 @@ int main(int argc, char** argv) try {
         result = neutralize(context, *model, face, Vector(), {});
         begin = seconds();
         const std::clock_t before = std::clock();
-        constexpr int kRounds = 20;
+        constexpr int kRounds = 200;
         for (int round = 0; round < kRounds; ++round) result = neutralize(context, *model, face, Vector(), {});
         std::printf("one neutralization, %d threads: %.2f ms (%.2f ms of processor)\n", threads,
                     1e3 * (seconds() - begin) / kRounds, 1e3 * double(std::clock() - before) / CLOCKS_PER_SEC / kRounds);

@@ -89,6 +89,19 @@ TEST(Dense, ThinProductsAgreeWithPlainEigenOnBothInstructionSets) {
     }
 }
 
+TEST(Dense, ProductsWithOneColumnAgreeWithPlainEigenOnBothInstructionSets) {
+    const Eigen::MatrixXf a = waves<float>(7001, 53, 0.3);
+    const Vector x = waves<double>(53, 1, 0.7), y = waves<double>(7001, 1, 0.5);
+    const Vector moved = y + a.cast<double>() * x, projected = a.cast<double>().transpose() * y;
+    for (const bool portable : {true, false}) {
+        dense::use_portable_loops(portable);
+        Vector out = y;
+        dense::add_product({}, a, x, out);
+        EXPECT_LT((out - moved).cwiseAbs().maxCoeff(), 1e-4);
+        EXPECT_LT((dense::project({}, a, y) - projected).cwiseAbs().maxCoeff(), 1e-2);
+    }
+}
+
 TEST(Dense, ProductsOfRowsAgreeWithPlainEigenOnBothInstructionSets) {
     const Matrix rows = waves<double>(43, 1003, 0.3), x = waves<double>(43, 3, 0.7);
     const Points field = waves<double>(1003, 3, 0.5);

@@ -72,7 +72,7 @@ TEST(Neutralize, TheExactFitOfAQuasiOrthogonalModelTakesItsExpressionModesOffAnd
     const Points face = study().face(57, 1);
     const NeutralizationResult result = neutralize(Context(), *quasi, face, Vector(), options);
     Vector moved = Vector::Zero(3 * face.rows());
-    add_modes(Context(), quasi->expression_modes, result.expression, -1.0, moved);
+    add_modes(Context(), quasi->expression_modes, -result.expression, moved);
     EXPECT_LT(mean_distance(result.neutral_vertices, face + Eigen::Map<const Points>(moved.data(), face.rows(), 3)),
               1e-9);
 }
