@@ -29,13 +29,15 @@ mien_score_options default_score_options() {
     options.max_components = core.max_components;
     options.folds = core.folds;
     options.seed = core.seed;
+    options.focus = core.focus ? 1 : 0;
     options.curvature_share = core.curvature_share;
     options.curvature_radius_mm = core.curvature_radius_mm;
     return options;
 }
 
 ScoreOptions read_score_options(const mien_score_options& given, Index num_vertices) {
-    if (given.reserved != 0) fail(Status::unsupported_option, "options.reserved is not zero");
+    if (given.reserved != 0 || given.reserved2 != 0) fail(Status::unsupported_option, "options.reserved is not zero");
+    if (given.focus > 1) fail(Status::unsupported_option, "options.focus is %u; it is 0 or 1", given.focus);
     if (given.method != MIEN_PLS_NIPALS && given.method != MIEN_PLS_SIMPLS)
         fail(Status::unsupported_option, "options.method is %d, which is unknown", given.method);
     check_numbers({{"curvature_share", given.curvature_share},
@@ -48,6 +50,7 @@ ScoreOptions read_score_options(const mien_score_options& given, Index num_verti
     options.max_components = given.max_components;
     options.folds = given.folds;
     options.seed = given.seed;
+    options.focus = given.focus != 0;
     options.curvature_share = given.curvature_share;
     options.curvature_radius_mm = given.curvature_radius_mm;
     options.lowest = given.lowest;

@@ -429,6 +429,8 @@ namespace Mien.Native
         public IntPtr progress;
         public IntPtr progressUser;
         public IntPtr cancel;
+        public uint focus;
+        public uint reserved2;
     }
 
     [StructLayout(LayoutKind.Sequential)]

@@ -35,6 +35,9 @@ typedef struct mien_score_options {
     mien_progress_fn progress; /**< may be null */
     void *progress_user;
     mien_cancel *cancel;       /**< may be null */
+    uint32_t focus;            /**< 1 (default): vertices count by how far they move with the score, found anew in
+                                    each fold; 0: by their area alone */
+    uint32_t reserved2;        /**< zero */
 } mien_score_options;
 
 /** A predicted score. */
@@ -77,9 +80,10 @@ MIEN_API void MIEN_CALL mien_score_options_init(mien_score_options *options, siz
  * @owner  the caller releases *out with mien_score_model_release()
  * @thread externally synchronized by session
  * @cancel yes
- * @cost   O(n #V) for n faces and about 0.1 ms of curvature per vertex and face; 64 n #V bytes
+ * @cost   O(n^2 #V) for n faces, about 0.1 ms of curvature per vertex and face and about a second per fold for a hundred faces
+ *         (focus); 260 n #V bytes
  * @since  0.1
- * @source jousse-2022 chapter 3 as summarised there; see src/measure/score_model.hpp
+ * @source jousse-2022 chapter 3 as summarised there; see src/measure/score_model.hpp and score_direction.hpp
  */
 MIEN_API mien_status MIEN_CALL mien_score_model_train(mien_session *session, const char *dataset_path,
                                                       const double *grades, uint64_t grade_count,

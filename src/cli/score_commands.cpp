@@ -16,6 +16,7 @@ struct ScoreCommand {
     Common common;
     std::string data, grades, model, in, out, picture, zones, zone, stable, method = "nipals", values;
     int components = 0, max_components = 10, folds = 10, grade_count = 0;
+    bool uniform = false;
     double curvature = 0.1, radius = 8.0, target = 0.0;
     std::vector<double> range;
 };
@@ -100,6 +101,7 @@ void run_train(const ScoreCommand& settings) {
     options.c.max_components = settings.max_components;
     options.c.folds = settings.folds;
     options.c.seed = settings.common.seed + 1;
+    options.c.focus = settings.uniform ? 0 : 1;
     options.c.curvature_share = settings.curvature;
     options.c.curvature_radius_mm = settings.radius;
     if (settings.range.size() == 2) {
@@ -274,6 +276,8 @@ void add_score_commands(CLI::App& app) {
     train->add_option("--components", settings->components, "0: by cross-validation")->capture_default_str();
     train->add_option("--max-components", settings->max_components)->capture_default_str();
     train->add_option("--folds", settings->folds, "over subjects; 0: leave one out")->capture_default_str();
+    train->add_flag("--uniform", settings->uniform,
+                    "every vertex counts by its area, not by how far it moves with the score");
     train->add_option("--curvature", settings->curvature, "weight of curvature features; 0: none")->capture_default_str();
     train->add_option("--curvature-radius", settings->radius, "mm")->capture_default_str();
     train->add_option("--range", settings->range, "lowest and highest grade")->expected(2);

@@ -95,9 +95,9 @@ CrossValidation cross_validate_pls(const ConstMatrixRef& x, const Vector& y,
         result.fold[i] = fold_of_group[static_cast<std::size_t>(group[i])];
         ++fold_size[static_cast<std::size_t>(result.fold[i])];
     }
-    const Matrix coordinates = options.scale ? Matrix(x) : principal_coordinates(x);
+    const Matrix shared = options.scale ? Matrix(x) : options.column_factors ? Matrix() : principal_coordinates(x);
     const Index smallest = n - *std::max_element(fold_size.begin(), fold_size.end());
-    const Index most = std::min<Index>({options.max_components, smallest - 1, coordinates.cols()});
+    const Index most = std::min<Index>({options.max_components, smallest - 1, x.cols()});
     if (most < 1)
         fail(Status::invalid_argument, "training folds of %lld samples are too small",
              static_cast<long long>(smallest));
@@ -106,6 +106,14 @@ CrossValidation cross_validate_pls(const ConstMatrixRef& x, const Vector& y,
     parallel_for(context, static_cast<std::size_t>(folds), 1, [&](std::size_t begin, std::size_t) {
         const int fold = static_cast<int>(begin);
         const Index held = fold_size[begin];
+        Matrix own;
+        if (options.column_factors && !options.scale) {
+            std::vector<Index> training;
+            for (Index i = 0; i < n; ++i)
+                if (result.fold[static_cast<std::size_t>(i)] != fold) training.push_back(i);
+            own = principal_coordinates(x * options.column_factors(training).asDiagonal());
+        }
+        const Matrix& coordinates = own.size() > 0 ? own : shared;
         Matrix train_x(n - held, coordinates.cols()), test_x(held, coordinates.cols());
         Matrix train_y(n - held, 1);
         Index a = 0, b = 0;
@@ -122,7 +130,7 @@ CrossValidation cross_validate_pls(const ConstMatrixRef& x, const Vector& y,
         if ((train_y.array() - mean).abs().maxCoeff() > 0) {
             PlsOptions fit_options;
             fit_options.method = options.method;
-            fit_options.num_components = static_cast<int>(most);
+            fit_options.num_components = static_cast<int>(std::min(most, coordinates.cols()));
             fit_options.scale = options.scale;
             const PlsModel model = fit_pls(train_x, train_y, fit_options, Context());
             const Matrix scores = model.project(test_x);

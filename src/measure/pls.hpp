@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "base/context.hpp"
@@ -64,6 +65,8 @@ struct CrossValidationOptions {
     /// One number per sample; samples of one group (a person's captures) never part. Empty: every
     /// sample is its own group.
     std::vector<int> groups;
+    /// Optional: factors on the predictors' columns, learned from these samples alone. Runs on several threads.
+    std::function<Vector(const std::vector<Index>& training)> column_factors;
 };
 
 struct CrossValidation {

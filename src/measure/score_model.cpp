@@ -10,6 +10,7 @@
 #include "measure/area.hpp"
 #include "measure/distributions.hpp"
 #include "measure/pair_check.hpp"
+#include "measure/score_direction.hpp"
 
 namespace mien {
 namespace {
@@ -22,9 +23,6 @@ Points align_face(const PointsRef& face, const PointsRef& mean, const TrianglesR
     const RigidZoneResult result = align_on_zone(face, mean, triangles, stable_zone, options);
     return result.motion.apply(face);
 }
-
-// Chosen on one simulated study (score_model.hpp); near the slope that chance reaches in 1 of 20 vertices.
-constexpr double kShrinkage = 3.0;
 
 bool uses_curvature(const Vector& curvature_scale) {
     return curvature_scale.maxCoeff() > 0;
@@ -141,7 +139,7 @@ ScoreModel train_score(const FaceDataset& faces, const Vector& grades, const Sco
         options.curvature_share > 0 ? model.displacement_scale : Vector(Vector::Zero(num_vertices));
     const Index p = feature_count(model.displacement_scale, model.curvature_scale);
     const Index p_displacement = (model.displacement_scale.array() > 0).count() * 3;
-    context.require_memory(static_cast<std::size_t>(n) * static_cast<std::size_t>(p) * 24,
+    context.require_memory(static_cast<std::size_t>(n) * static_cast<std::size_t>(3 * p + 15 * num_vertices) * 8,
                            "score features");
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows(n, p);
     Matrix displacements(3 * num_vertices, n);
@@ -178,6 +176,11 @@ ScoreModel train_score(const FaceDataset& faces, const Vector& grades, const Sco
         subjects.push_back(faces.subject(used[static_cast<std::size_t>(i)]));
     }
 
+    if ((y.array() == y[0]).all()) fail(Status::no_solution, "all graded faces have the grade %g: there is nothing to learn", y[0]);
+    displacements.colwise() -= displacements.rowwise().mean().eval();
+    const ScoreDirection direction = score_direction(model.mean_face, displacements, areas, y, context);
+    model.unit_displacement = Eigen::Map<const Points>(direction.displacement.data(), num_vertices, 3);
+
     CrossValidationOptions cv_options;
     cv_options.method = options.method;
     cv_options.max_components = std::max(options.max_components, options.num_components);
@@ -188,7 +191,34 @@ ScoreModel train_score(const FaceDataset& faces, const Vector& grades, const Sco
     distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
     cv_options.folds =
         options.folds == 0 ? 0 : std::min<int>(options.folds, static_cast<int>(distinct.size()));
+    // The focus of each vertex, repeated for its features in the order of features_of().
+    const auto factors_of = [&](const Vector& focus) {
+        Vector factors(p);
+        Index next = 0;
+        for (const Index repeats : {3, 2})
+            for (Index v = 0; v < num_vertices && next < p; ++v)
+                if (model.displacement_scale[v] > 0)
+                    for (Index k = 0; k < repeats; ++k) factors[next++] = focus[v];
+        return factors;
+    };
+    if (options.focus)
+        cv_options.column_factors = [&](const std::vector<Index>& training) {
+            Matrix own(displacements.rows(), static_cast<Index>(training.size()));
+            Vector grades_of(own.cols());
+            for (Index i = 0; i < own.cols(); ++i) {
+                own.col(i) = displacements.col(training[static_cast<std::size_t>(i)]);
+                grades_of[i] = y[training[static_cast<std::size_t>(i)]];
+            }
+            if ((grades_of.array() == grades_of[0]).all()) return Vector(Vector::Ones(p));
+            return factors_of(focus_of(score_direction(model.mean_face, own, areas, grades_of, context)));
+        };
     const CrossValidation cv = cross_validate_pls(x, y, cv_options, context);
+    if (options.focus) {
+        const Vector focus = focus_of(direction);
+        x *= factors_of(focus).asDiagonal();
+        model.displacement_scale.array() *= focus.array();
+        model.curvature_scale.array() *= focus.array();
+    }
     model.cv_error = cv.mean_squared_error;
     model.cv_standard_error = cv.standard_error;
     model.best_components = cv.best_components;
@@ -209,22 +239,7 @@ ScoreModel train_score(const FaceDataset& faces, const Vector& grades, const Sco
     model.score_squares = pls.scores.colwise().squaredNorm().transpose();
     model.y_mean = pls.y_mean[0];
 
-    // Displacement that goes with one grade, and with each latent variable.
-    displacements.colwise() -= displacements.rowwise().mean().eval();
-    const Vector centred = y.array() - y.mean();
-    const Vector per_unit = displacements * centred / centred.squaredNorm();
-    model.unit_displacement = Eigen::Map<const Points>(per_unit.data(), num_vertices, 3);
-    const double residual_share = 1.0 / (static_cast<double>(n - 2) * centred.squaredNorm());
-    for (Index v = 0; v < num_vertices; ++v) {
-        double variance = 0.0;  // of the three slopes together
-        for (Index k = 3 * v; k < 3 * v + 3; ++k)
-            variance += (displacements.row(k).squaredNorm() -
-                         per_unit[k] * per_unit[k] * centred.squaredNorm()) *
-                        residual_share;
-        const double size = model.unit_displacement.row(v).squaredNorm();
-        model.unit_displacement.row(v) *=
-            size > 0 ? std::max(0.0, 1.0 - kShrinkage * std::max(0.0, variance) / size) : 0.0;
-    }
+    // Displacement that goes with each latent variable.
     model.latent_pictures.resize(num_vertices, a);
     for (Index c = 0; c < a; ++c) {
         const double deviation = std::sqrt(model.score_squares[c] / static_cast<double>(n - 1));

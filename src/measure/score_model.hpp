@@ -2,6 +2,9 @@
 // principal curvatures), partial least squares on raters' grades, prediction with an interval, and
 // the face along the score (jousse-2022, chapter 3 as summarised in 1.4, 5.1 and C.3).
 //
+// Focus. Each feature counts by how far its vertex moves with the score (score_direction.hpp), found anew in every
+// fold: where a score does nothing, people's differences are nothing but noise.
+//
 // Features. Faces are aligned rigidly on the stable zone (or all of the face, robustly). Vertex i
 // gives sqrt(area_i w_i) times its displacement (3) and c sqrt(area_i w_i) times its two principal
 // curvatures, so that sums over features are integrals over skin; c makes the curvatures' total
@@ -12,11 +15,8 @@
 // held-out faces were wrong, wider for faces unlike the training (after Faber & Kowalski 1997).
 //
 // Simulation. The displacement that goes with one grade is the regression of each vertex'
-// displacement on the grades: how faces that score higher look, not the filter that computes the
-// score (Haufe et al. 2014). With a hundred faces every vertex has a slope by chance, and people
-// differ by more than the score moves them; each vertex' slope is therefore shrunk, d max(0, 1 - 3
-// var(d) / |d|^2) (positive-part James-Stein). The 3 was the best of five constants on one simulated
-// study (1, 2, 3, 4, 6); what it gains on fresh faces is not yet measured.
+// displacement on the grades, without what chance put into it (score_direction.hpp): how faces that score higher look, not
+// the filter that computes the score (Haufe et al. 2014).
 #pragma once
 
 #include <memory>
@@ -35,6 +35,7 @@ struct ScoreOptions {
     int max_components = 10;  ///< 1 .. 50
     int folds = 10;           ///< 0: leave one person out
     std::uint64_t seed = 1;
+    bool focus = true;  ///< false: every vertex counts by its area alone
     double curvature_share = 0.1;  ///< total variance of curvatures over displacements; 0: none
     double curvature_radius_mm = 8.0;
     std::vector<std::uint32_t> zone;         ///< of interest; empty: the whole face
@@ -46,7 +47,7 @@ struct ScoreOptions {
 struct ScoreModel {
     Points mean_face;  ///< #V x 3, mm
     Triangles triangles;
-    Vector displacement_scale;  ///< #V, 0 outside the zone
+    Vector displacement_scale;  ///< #V, 0 outside the zone; with the focus
     Vector curvature_scale;     ///< #V, all 0 without curvatures
     std::vector<std::uint32_t> stable_zone;
     double curvature_radius_mm = 8.0;

@@ -422,6 +422,8 @@ class ScoreOptions(ctypes.Structure):
         ("progress", ProgressFn),
         ("progress_user", ctypes.c_void_p),
         ("cancel", ctypes.c_void_p),
+        ("focus", ctypes.c_uint32),
+        ("reserved2", ctypes.c_uint32),
     ]
 
 

@@ -197,6 +197,27 @@ TEST(CrossValidation, KeepsGroupsTogetherAndIsTheSameForAnyThreadCount) {
               Status::invalid_argument);
 }
 
+TEST(CrossValidation, LearnsColumnFactorsFromTheTrainingSamplesOfEachFold) {
+    const Matrix x = random_matrix(30, 50, 21);
+    const Vector y = x.col(0) + 0.1 * random_matrix(30, 1, 22).col(0);
+    CrossValidationOptions options;
+    options.folds = 5;
+    const double without = cross_validate_pls(x, y, options, {}).r2(1);
+    std::vector<std::vector<Index>> asked;
+    options.column_factors = [&](const std::vector<Index>& training) {
+        asked.push_back(training);
+        Vector factors = Vector::Constant(50, 0.01);
+        factors[0] = 1;  // the column that decides
+        return factors;
+    };
+    const CrossValidation cv = cross_validate_pls(x, y, options, {});
+    EXPECT_GT(cv.r2(1), 0.9);
+    EXPECT_LT(without, 0.5);
+    ASSERT_EQ(asked.size(), 5u);
+    for (int fold = 0; fold < 5; ++fold)
+        for (const Index i : asked[static_cast<std::size_t>(fold)]) EXPECT_NE(cv.fold[static_cast<std::size_t>(i)], fold);
+}
+
 TEST(CrossValidation, PredictsHeldOutSamplesWithoutHavingSeenThem) {
     // Pure noise: an honest cross-validation cannot beat the mean by much.
     const Matrix x = random_matrix(60, 400, 31);

@@ -84,6 +84,12 @@ TEST(Score, FindsTheHiddenBulgeAndPredictsHeldOutFaces) {
     EXPECT_LT(std::sqrt(square), 0.7);
 }
 
+TEST(Score, RefusesGradesThatAreAllTheSame) {
+    const Study study(20, 0.2);
+    EXPECT_EQ(test::status_of([&] { train_score(study.open(), Vector::Constant(20, 2.0), quick(), {}); }),
+              Status::no_solution);
+}
+
 TEST(Score, IgnoresWhereTheFaceStandsAndReachesTheScoreItSimulates) {
     const Study study(40, 0.2);
     ScoreOptions options = quick();
