@@ -5,7 +5,6 @@
 
 #include "base/dense.hpp"
 #include "base/error.hpp"
-#include "base/parallel.hpp"
 
 namespace mien {
 namespace {
