@@ -185,7 +185,8 @@ MIEN_API mien_status MIEN_CALL mien_score_model_get_latent(const mien_score_mode
                                                            mien_error *error);
 
 /**
- * What was learned as JSON: components, cross-validated errors, held-out predictions (not kept in files).
+ * What was learned as JSON: components, cross-validated errors, held-out predictions and focus_places (how many
+ * places the focus takes a face for; 0: none), which are not kept in files.
  *
  * @param model    [in] not null.
  * @param dst      [out] room for capacity bytes, or null.

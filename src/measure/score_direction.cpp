@@ -18,7 +18,7 @@ constexpr double kStill = 1e-3;    ///< of |c|, between two steps
 constexpr double kBlunt = 1e-2;    ///< of b: lengths below count as this
 constexpr double kRank = 1e-9;     ///< of the largest eigenvalue
 constexpr double kClearly = 0.7;   ///< of the regression's risk
-constexpr double kShrinkage = 1.0;
+constexpr double kShrinkage = 1.0;  ///< of a slope's variance
 constexpr double kRounding = 1e-20;  ///< of all that moves
 constexpr double kLeastFocus = 0.01;
 

@@ -1,7 +1,7 @@
 // How faces change with a score: the displacement that goes with one grade.
 //
-// Regressing each coordinate on the grades gives y = d + R c + Z g: people differ by more than a score moves them, and by chance
-// some of that goes with the grades of any hundred faces. What is known of this error is used. It lies in the span of the
+// Regressing each coordinate on the grades gives y = d + R c + Z g: people differ by more than a score moves them, and by
+// chance some of that goes with the grades of any hundred faces. What is known of this error is used. It lies in the span of the
 // residuals of that regression, c ~ N(0, I) with R R' their covariance over (n - 2) times the grades' sum of squares. The faces'
 // alignment shares what a score does in one place with all others, by one of the six motions Z. And what a score does, it does in
 // some places more than in others. c and g minimise
@@ -22,8 +22,8 @@ struct ScoreDirection {
     double places = 0;       ///< m; 0: the regression stands
 };
 
-/// mean_face #V x 3, displacements 3#V x n from it, areas #V >= 0, grades n, not all equal. O(#V n^2) once and O(n^3) per step on at most 1,500
-/// vertices. Throws Status::no_solution when the algebra fails.
+/// mean_face #V x 3, displacements 3#V x n from it, areas #V >= 0, grades n, not all equal. O(#V n^2) once, and O(n^2) per
+/// step for each of at most 1,500 vertices. Throws Status::no_solution when the algebra fails.
 ScoreDirection score_direction(const PointsRef& mean_face, const Eigen::Ref<const Matrix>& displacements,
                                const Vector& areas, const Vector& grades, const Context& context);
 

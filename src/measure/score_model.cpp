@@ -176,7 +176,8 @@ ScoreModel train_score(const FaceDataset& faces, const Vector& grades, const Sco
         subjects.push_back(faces.subject(used[static_cast<std::size_t>(i)]));
     }
 
-    if ((y.array() == y[0]).all()) fail(Status::no_solution, "all graded faces have the grade %g: there is nothing to learn", y[0]);
+    if ((y.array() == y[0]).all())
+        fail(Status::no_solution, "all graded faces have the grade %g: there is nothing to learn", y[0]);
     displacements.colwise() -= displacements.rowwise().mean().eval();
     const ScoreDirection direction = score_direction(model.mean_face, displacements, areas, y, context);
     model.unit_displacement = Eigen::Map<const Points>(direction.displacement.data(), num_vertices, 3);
@@ -215,6 +216,7 @@ ScoreModel train_score(const FaceDataset& faces, const Vector& grades, const Sco
     const CrossValidation cv = cross_validate_pls(x, y, cv_options, context);
     if (options.focus) {
         const Vector focus = focus_of(direction);
+        model.focus_places = direction.places;
         x *= factors_of(focus).asDiagonal();
         model.displacement_scale.array() *= focus.array();
         model.curvature_scale.array() *= focus.array();

@@ -63,6 +63,7 @@ struct ScoreModel {
     Vector cv_error, cv_standard_error;  ///< mean square, by number of components from 0
     int best_components = 0, one_se_components = 0;
     double lowest = 0.0, highest = 0.0;
+    double focus_places = 0;  ///< how many places the focus takes a face for; 0: none, or loaded
     Vector cv_predictions;  ///< n, of held-out faces; empty when loaded
 
     Index num_components() const { return rotations.cols(); }

@@ -183,6 +183,7 @@ std::string score_model_json(const ScoreModel& m) {
     json.field("one_standard_error_components", m.one_se_components);
     json.field("rmse_cross_validated", m.rmse);
     json.field("q2", m.q2);
+    json.field("focus_places", m.focus_places);
     json.field("mean_grade", m.y_mean);
     json.field("lowest", m.lowest);
     json.field("highest", m.highest);

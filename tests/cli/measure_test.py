@@ -1,6 +1,7 @@
 """mien measure and mien score on surfaces whose numbers are known."""
 import json
 import math
+import random
 import shutil
 import struct
 import subprocess
@@ -40,6 +41,23 @@ def read_tensors(path):
     header = json.loads(raw[8:8 + size])
     return {name: (entry["shape"], raw[8 + size + entry["data_offsets"][0]:8 + size + entry["data_offsets"][1]], entry["dtype"])
             for name, entry in header.items() if name != "__metadata__"}
+
+
+def write_faces(path, faces, triangles):
+    """A dataset of one neutral face per person."""
+    tensors = {"vertices": ("F32", [len(faces), len(faces[0]), 3], "f", [x for face in faces for v in face for x in v]),
+               "triangles": ("U32", [len(triangles), 3], "I", [i for t in triangles for i in t]),
+               "subject": ("I32", [len(faces)], "i", range(len(faces))),
+               "expression": ("I32", [len(faces)], "i", [0] * len(faces))}
+    header, body = {"__metadata__": {"expression_names": json.dumps(["neutral"]), "units": "millimetres"}}, b""
+    for name, (kind, shape, code, values) in tensors.items():
+        values = list(values)
+        data = struct.pack(f"<{len(values)}{code}", *values)
+        header[name] = {"dtype": kind, "shape": shape, "data_offsets": [len(body), len(body) + len(data)]}
+        body += data
+    text = json.dumps(header).encode()
+    path.write_bytes(struct.pack("<Q", len(text)) + text + body)
+    return path
 
 
 class Measure(unittest.TestCase):
@@ -104,6 +122,40 @@ class Measure(unittest.TestCase):
         self.assertAlmostEqual(got["bias"], -2.1, delta=0.05)
         self.assertAlmostEqual(got["bias"] - 2 * got["sd"], -79.7, delta=0.1)
         self.assertEqual((work / "ba.png").read_bytes()[:4], b"\x89PNG")
+
+    def test_a_score_finds_where_it_moves_the_face(self):
+        chance = random.Random(3)
+        hill = lambda x, y: math.exp(-((x - 40) ** 2 + (y - 15) ** 2) / 60)
+        waves = [(chance.gauss(0, 0.08), chance.gauss(0, 0.08), chance.uniform(0, 6)) for _ in range(8)]
+        faces, grades = [], []
+        for _ in range(60):
+            grade, amounts = chance.uniform(0, 4), [chance.gauss(0, 1.5) for _ in waves]
+            vertices, triangles = sheet(lambda x, y: 0.02 * (x - 30) ** 2 + grade * hill(x, y) + sum(
+                a * math.sin(u * x + v * y + w) for a, (u, v, w) in zip(amounts, waves)), cells=18)
+            faces.append(vertices)
+            grades.append(grade + chance.gauss(0, 0.3))
+        data = write_faces(work / "people.safetensors", faces, triangles)
+        (work / "grades.json").write_text(json.dumps({"grades": grades}))
+
+        def train(*options):
+            done = run("score", "train", "--data", data, "--grades", work / "grades.json", "--curvature", 0, "--json",
+                       work / "score.json", "--out", work / "score.safetensors", *options)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            return json.loads((work / "score.json").read_text())
+
+        self.assertEqual(train("--uniform")["focus_places"], 0)
+        report = train()
+        self.assertGreater(report["focus_places"], 0)
+        self.assertGreater(report["q2"], 0.8)
+        ends = []
+        for target in (0, 4):
+            done = run("score", "simulate", "--model", work / "score.safetensors", "--target", target, "--out", work / "end.obj")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            ends.append([tuple(map(float, line.split()[1:4])) for line in (work / "end.obj").read_text().splitlines()
+                         if line.startswith("v ")])
+        moved = [math.dist(a, b) for a, b in zip(*ends)]
+        x, y, _ = ends[0][moved.index(max(moved))]
+        self.assertLess(math.hypot(x - 40, y - 15), 8)
 
     def test_the_closed_head(self):
         model, sockets = shared / "data/ict/model.safetensors", shared / "data/ict/sockets.safetensors"
