@@ -78,32 +78,37 @@ void gram_panels(const Context& context, const ConstRef& a, const WeightVector& 
         fail(Status::internal, "gram matrix of %lldx%lld into %lldx%lld",
              static_cast<long long>(rows), static_cast<long long>(n),
              static_cast<long long>(c.rows()), static_cast<long long>(c.cols()));
+    // Without weights A is read where it lies, otherwise its used rows are gathered, each times the root of its weight.
+    const bool gather = weights.size() != 0;
     std::vector<Index> used;
-    used.reserve(static_cast<std::size_t>(rows));
-    for (Index i = 0; i < rows; ++i)
-        if (weights.size() == 0 || weights[i] != Scalar(0)) used.push_back(i);
+    std::vector<Scalar> root;
+    for (Index i = 0; gather && i < rows; ++i)
+        if (weights[i] != Scalar(0)) used.push_back(i), root.push_back(std::sqrt(weights[i]));
+    const std::size_t total = gather ? used.size() : static_cast<std::size_t>(rows);
 
     // A fixed number of slices, each with a result of its own, added in order.
     constexpr std::size_t kSlices = 4, kBlock = 256;
-    const std::size_t slice = std::max<std::size_t>(kBlock, (used.size() + kSlices - 1) / kSlices);
-    const std::size_t num_slices = (used.size() + slice - 1) / slice;
+    const std::size_t slice = std::max<std::size_t>(kBlock, (total + kSlices - 1) / kSlices);
+    const std::size_t num_slices = (total + slice - 1) / slice;
     std::vector<Dense> partial(num_slices);
     const auto& kernel = kernels<Scalar>();
-    parallel_for(context, used.size(), slice, [&](std::size_t begin, std::size_t end) {
+    parallel_for(context, total, slice, [&](std::size_t begin, std::size_t end) {
         Dense& sum = partial[begin / slice];
         sum.setZero(n, n);
-        Dense block(static_cast<Index>(kBlock), n);
+        Dense block(gather ? static_cast<Index>(kBlock) : 0, n);
         for (std::size_t start = begin; start < end; start += kBlock) {
-            const Index size = static_cast<Index>(std::min(end, start + kBlock) - start);
-            for (Index j = 0; j < n; ++j)
+            const Index first = static_cast<Index>(start), size = static_cast<Index>(std::min(end, start + kBlock)) - first;
+            for (Index j = 0; gather && j < n; ++j) {
+                const Scalar* column = a.data() + j * a.outerStride();
                 for (Index i = 0; i < size; ++i) {
-                    const Index row = used[start + static_cast<std::size_t>(i)];
-                    block(i, j) = a(row, j);
+                    const std::size_t k = start + static_cast<std::size_t>(i);
+                    block(i, j) = root[k] * column[used[k]];
                 }
-            if (weights.size() != 0)
-                for (Index i = 0; i < size; ++i)
-                    block.row(i) *= std::sqrt(weights[used[start + static_cast<std::size_t>(i)]]);
-            kernel.gram(n, size, block.data(), block.outerStride(), sum.data(), sum.outerStride());
+            }
+            if (gather)
+                kernel.gram(n, size, block.data(), block.outerStride(), sum.data(), sum.outerStride());
+            else
+                kernel.gram(n, size, a.data() + first, a.outerStride(), sum.data(), sum.outerStride());
         }
     });
     c.setZero();

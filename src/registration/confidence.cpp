@@ -1,6 +1,5 @@
 #include "registration/confidence.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
@@ -8,6 +7,57 @@
 #include "base/parallel.hpp"
 
 namespace mien {
+namespace {
+
+// Variance of each vertex, all axes together, that the modes keep: |L^-1 B_i|^2 for the factor L of their information.
+Vector explained_variance(const Eigen::MatrixXf& factor, const Eigen::VectorXf& scale, Index p, Index r,
+                          const DeformationModel& model, const Context& context) {
+    const Index n = model.num_vertices(), q = factor.rows();
+    Eigen::MatrixXf whitening = Eigen::MatrixXf::Identity(q, q);
+    factor.triangularView<Eigen::Lower>().solveInPlace(whitening);
+    whitening *= scale.asDiagonal();
+    constexpr Index kBlock = 2048;
+    Vector variance = Vector::Zero(n);
+    Eigen::MatrixXf modes, whitened;
+    for (Index first = 0; first < n; first += kBlock) {
+        context.check_cancelled();
+        const Index count = std::min(kBlock, n - first);
+        for (int axis = 0; axis < 3; ++axis) {
+            whitened.setZero(q, count);
+            if (p > 0) {
+                modes.resize(count, p);
+                for (Index j = 0; j < p; ++j)
+                    for (Index i = 0; i < count; ++i) modes(i, j) = model.pca_modes.map()(3 * (first + i) + axis, j);
+                dense::multiply(context, 1.0f, whitening.leftCols(p), dense::Op::none, modes, dense::Op::transpose, 0.0f,
+                                whitened);
+            }
+            if (r > 0)
+                dense::multiply(context, 1.0f, whitening.middleCols(p + axis * r, r), dense::Op::none,
+                                model.basis.map().block(first, 0, count, r), dense::Op::transpose, 1.0f, whitened);
+            variance.segment(first, count) += whitened.colwise().squaredNorm().transpose().cast<double>();
+        }
+    }
+    return variance;
+}
+
+// Prior variance of each vertex in the trained modes from p and the kernel's from r on, all axes together.
+Vector left_out_variance(const DeformationModel& model, Index p, Index all_p, double pca_amplitude, Index r, Index all_r,
+                         double kernel_amplitude, const Context& context) {
+    const Index n = model.num_vertices();
+    Vector variance = Vector::Zero(n);
+    parallel_for(context, static_cast<std::size_t>(n), 1024, [&](std::size_t begin, std::size_t end) {
+        const Index first = static_cast<Index>(begin), count = static_cast<Index>(end - begin);
+        Eigen::VectorXf squares = Eigen::VectorXf::Zero(count), flat = Eigen::VectorXf::Zero(3 * count);
+        for (Index j = r; j < all_r; ++j) squares += model.basis.map().col(j).segment(first, count).cwiseAbs2();
+        for (Index j = p; j < all_p; ++j) flat += model.pca_modes.map().col(j).segment(3 * first, 3 * count).cwiseAbs2();
+        const Eigen::Map<const Eigen::Matrix<float, 3, Eigen::Dynamic>> axes(flat.data(), 3, count);
+        variance.segment(first, count) = 3 * kernel_amplitude * kernel_amplitude * squares.cast<double>() +
+                                         pca_amplitude * pca_amplitude * axes.colwise().sum().transpose().cast<double>();
+    });
+    return variance;
+}
+
+}  // namespace
 
 Vector place_deviation(const DeformationModel& model, const FitState& state, const Vector& weight,
                        const PointsRef& normals_model, const std::vector<Pin>& pins,
@@ -17,15 +67,19 @@ Vector place_deviation(const DeformationModel& model, const FitState& state, con
     const Index r = std::min<Index>(state.coefficients.kernel.rows(), p > 0 ? 30 : 60);
     const Index q = p + 3 * r;
     const double ka = state.kernel_amplitude, pa = options.pca_amplitude;
+    // One deviation of each mode, in mm: trained modes, then the kernel's axis by axis.
+    Eigen::VectorXf scale = Eigen::VectorXf::Constant(q, static_cast<float>(ka));
+    scale.head(p).setConstant(static_cast<float>(pa));
+    if (model.prior_variance.rows() >= r)
+        for (int axis = 0; axis < 3; ++axis)
+            scale.segment(p + axis * r, r).array() *=
+                model.prior_variance.col(axis).head(r).cast<float>().array().max(1e-4f).sqrt();
     const auto block_of = [&](Index i, Eigen::Matrix<float, 3, Eigen::Dynamic>& block) {
         block.setZero(3, q);
-        if (p > 0) block.leftCols(p) = static_cast<float>(pa) * model.pca_modes.map().block(3 * i, 0, 3, p);
-        for (int axis = 0; axis < 3 && r > 0; ++axis) {
-            block.row(axis).segment(p + axis * r, r) = static_cast<float>(ka) * model.basis.map().row(i).head(r);
-            if (model.prior_variance.rows() >= r)
-                block.row(axis).segment(p + axis * r, r).array() *=
-                    model.prior_variance.col(axis).head(r).transpose().cast<float>().array().max(1e-4f).sqrt();
-        }
+        if (p > 0) block.leftCols(p) = model.pca_modes.map().block(3 * i, 0, 3, p);
+        for (int axis = 0; axis < 3 && r > 0; ++axis)
+            block.row(axis).segment(p + axis * r, r) = model.basis.map().row(i).head(r);
+        block *= scale.asDiagonal();
     };
 
     // A few hundred places speak for the smooth modes: neighbours' errors are alike, so each of them counts
@@ -50,45 +104,23 @@ Vector place_deviation(const DeformationModel& model, const FitState& state, con
         observed.middleRows(static_cast<Index>(rows.size() + 3 * k), 3) =
             pin_block / static_cast<float>(pins[k].sigma_mm);
     }
-    Eigen::MatrixXf information(q, q);
-    Vector deviation = Vector::Zero(n);
-    Eigen::LLT<Eigen::MatrixXf> factor;
+    Vector variance = Vector::Zero(n);
     if (q > 0) {
+        Eigen::MatrixXf information(q, q);
         dense::weighted_gram(context, observed, Eigen::VectorXf(), information);
         information.diagonal().array() += 1.0f;
-        factor.compute(information);
-        if (factor.info() != Eigen::Success) return Vector::Constant(n, 10.0);
+        if (!dense::factor_spd(information)) return Vector::Constant(n, 10.0);
+        variance = explained_variance(information, scale, p, r, model, context);
     }
+    const Vector left_out = left_out_variance(model, p, state.coefficients.pca.size(), pa, r,
+                                              state.coefficients.kernel.rows(), ka, context);
     // What the formula leaves out: hits that slide together, noise that is not independent, faces outside the
     // training span, and, away from the scan, all that no observation checks. The factors were set on scans of
     // other people than those that the tables are made with, so that the 95 % radius holds nine of ten or more.
     const double beside = p > 0 ? 2.3 : 1.7, away = p > 0 ? 4.0 : 3.15;
-    parallel_for(context, static_cast<std::size_t>(n), 256, [&](std::size_t begin, std::size_t end) {
-        const Index first = static_cast<Index>(begin), count = static_cast<Index>(end - begin);
-        Eigen::MatrixXf columns(q, 3 * count);
-        Eigen::Matrix<float, 3, Eigen::Dynamic> block;
-        for (Index i = 0; i < count; ++i) {
-            block_of(first + i, block);
-            columns.middleCols(3 * i, 3) = block.transpose();
-        }
-        if (q > 0) factor.matrixL().solveInPlace(columns);
-        for (Index i = 0; i < count; ++i) {
-            const Index v = first + i;
-            double variance = q > 0 ? columns.middleCols(3 * i, 3).squaredNorm() : 0;
-            double left_out = 0;
-            if (state.coefficients.kernel.rows() > r)
-                left_out += 3 * ka * ka *
-                            static_cast<double>(model.basis.map().row(v).segment(r, state.coefficients.kernel.rows() - r).squaredNorm());
-            if (state.coefficients.pca.size() > p)
-                left_out += pa * pa * static_cast<double>(
-                    model.pca_modes.map().block(3 * v, p, 3, state.coefficients.pca.size() - p).squaredNorm());
-            // Beside the scan, the surface tells one of three axes and its curvature a part of the others.
-            const double seen = std::min(1.0, std::max(0.0, weight[v]));
-            variance += left_out * (1 - 0.7 * seen);
-            deviation[v] = (beside * seen + away * (1 - seen)) * std::sqrt(variance / 3);
-        }
-    });
-    return deviation;
+    // Beside the scan, the surface tells one of three axes and its curvature a part of the others.
+    const Eigen::ArrayXd seen = weight.array().max(0.0).min(1.0);
+    return (beside * seen + away * (1 - seen)) * ((variance.array() + left_out.array() * (1 - 0.7 * seen)) / 3).sqrt();
 }
 
 }  // namespace mien

@@ -13,7 +13,6 @@ namespace {
 
 using MatrixF = Eigen::MatrixXf;
 using VectorF = Eigen::VectorXf;
-constexpr std::size_t kChunk = 1024;
 constexpr int kGramLife = 4;  // steps for which one Phi' W Phi serves as preconditioner
 
 // Flat unknown: kernel (3 r, axis by axis), pca (p), motion (7 or 6 or 0).
@@ -105,13 +104,9 @@ class FitSystem {
     void project_vectors(VectorF& out) {
         const Index r = layout_.r, p = layout_.p, m = field_.rows();
         if (p > 0) {
-            flat_ = field_;  // x0 y0 z0 x1 ...
-            const Eigen::Map<const VectorF> flat(flat_.data(), 3 * m);
-            parallel_for(context_, static_cast<std::size_t>(p), 16, [&](std::size_t b, std::size_t e) {
-                const Index first = static_cast<Index>(b), count = static_cast<Index>(e - b);
-                out.segment(3 * r + first, count).noalias() =
-                    solver_.pca().middleCols(first, count).transpose() * flat;
-            });
+            flat_ = field_.cast<double>();  // x0 y0 z0 x1 ...
+            const Eigen::Map<const Vector> flat(flat_.data(), 3 * m);
+            out.segment(3 * r, p) = dense::project(context_, solver_.pca().leftCols(p), flat).cast<float>();
         }
         if (layout_.g > 0) {
             Eigen::Matrix<double, 7, 1> sum = Eigen::Matrix<double, 7, 1>::Zero();
@@ -130,14 +125,10 @@ class FitSystem {
     void expand_vectors(const VectorF& theta) {
         const Index r = layout_.r, p = layout_.p, m = field_.rows();
         if (p > 0) {
-            flat_.resize(m, 3);
-            Eigen::Map<VectorF> flat(flat_.data(), 3 * m);
-            parallel_for(context_, static_cast<std::size_t>(3 * m), 3 * kChunk, [&](std::size_t b, std::size_t e) {
-                const Index first = static_cast<Index>(b), count = static_cast<Index>(e - b);
-                flat.segment(first, count).noalias() =
-                    solver_.pca().leftCols(p).middleRows(first, count) * theta.segment(3 * r, p);
-            });
-            field_ = flat_;
+            flat_.setZero(m, 3);
+            dense::add_product(context_, solver_.pca().leftCols(p), theta.segment(3 * r, p).cast<double>(),
+                               Eigen::Map<Vector>(flat_.data(), 3 * m));
+            field_ = flat_.cast<float>();
         } else {
             field_.setZero();
         }
@@ -161,16 +152,19 @@ class FitSystem {
             const Index stride = m > 6000 ? 3 : (m > 2000 ? 2 : 1);
             const Index sampled = (m + stride - 1) / stride;
             const auto basis = solver_.basis();
-            MatrixF sample(sampled, r);
             VectorF weight(sampled);
             for (Index k = 0; k < sampled; ++k)
                 weight[k] = terms_.precision.row(k * stride).head<3>().sum() / 3;
+            const VectorF root = weight.cwiseSqrt();
+            MatrixF sample(sampled, r);
             parallel_for(context_, static_cast<std::size_t>(r), 16, [&](std::size_t b, std::size_t e) {
-                for (Index j = static_cast<Index>(b); j < static_cast<Index>(e); ++j)
-                    for (Index k = 0; k < sampled; ++k) sample(k, j) = basis(k * stride, j);
+                for (Index j = static_cast<Index>(b); j < static_cast<Index>(e); ++j) {
+                    const float* column = basis.data() + j * basis.outerStride();
+                    for (Index k = 0; k < sampled; ++k) sample(k, j) = root[k] * column[k * stride];
+                }
             });
             solver_.gram_.resize(r, r);
-            dense::weighted_gram(context_, sample, weight, solver_.gram_);
+            dense::weighted_gram(context_, sample, VectorF(), solver_.gram_);
             solver_.gram_weight_ = weight.cast<double>().sum();
             solver_.gram_age_ = 0;
         }
@@ -243,7 +237,7 @@ class FitSystem {
     Vector3 centre_;
     double radius_ = 1;
     dense::Field field_;
-    Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> flat_;
+    Points flat_;
     VectorF kernel_ridge_;  // 3 r
     int factor_of_[3] = {0, 1, 2};
     MatrixF kernel_factor_[3], vector_factor_;  // Cholesky, lower triangles
@@ -385,14 +379,8 @@ Points FitSolver::displacement(const FitCoefficients& coefficients, const Contex
         u += moved.cast<double>();
     }
     if (p > 0) {
-        Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> moved(n, 3);
-        Eigen::Map<VectorF> flat(moved.data(), 3 * n);
-        parallel_for(context, static_cast<std::size_t>(3 * n), 3 * kChunk, [&](std::size_t b, std::size_t e) {
-            const Index first = static_cast<Index>(b), count = static_cast<Index>(e - b);
-            flat.segment(first, count).noalias() =
-                model_.pca_modes.map().leftCols(p).middleRows(first, count) * coefficients.pca;
-        });
-        u += moved.cast<double>();
+        dense::add_product(context, model_.pca_modes.map().leftCols(p), coefficients.pca.cast<double>(),
+                           Eigen::Map<Vector>(u.data(), 3 * n));
     }
     return u;
 }
