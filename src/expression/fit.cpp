@@ -101,6 +101,24 @@ Vector mode_coordinates(const ExpressionModel& model, FitMethod method, const Ve
     return with_prior ? model.spill.along_modes(a, b) : ModeSpill().along_modes(a, b);
 }
 
+Matrix mode_gram(const Context& context, const ExpressionModel& model, const Vector& weights) {
+    const Index n = model.num_vertices(), p = model.num_identity_modes(), q = model.num_expression_modes();
+    Matrix gram = Matrix::Zero(p + q, p + q), part(p + q, p + q), block;
+    Vector row_weights;
+    constexpr Index kBlock = 3 * 4096;
+    for (Index first = 0; first < 3 * n; first += kBlock) {
+        const Index size = std::min(kBlock, 3 * n - first);
+        block.resize(size, p + q);
+        block.leftCols(p) = model.identity_modes.map().middleRows(first, size).cast<double>();
+        block.rightCols(q) = model.expression_modes.map().middleRows(first, size).cast<double>();
+        row_weights.resize(size);
+        for (Index row = 0; row < size; ++row) row_weights[row] = weights[(first + row) / 3];
+        dense::weighted_gram(context, block, row_weights, part);
+        gram += part;
+    }
+    return gram;
+}
+
 FaceEvidence gather_evidence(const Context& context, const ExpressionModel& model,
                              const PointsRef& vertices, const Vector& weights) {
     const Index n = model.num_vertices(), p = model.num_identity_modes();
@@ -120,20 +138,7 @@ FaceEvidence gather_evidence(const Context& context, const ExpressionModel& mode
     evidence.projection.tail(q) = project_modes(context, model.expression_modes, displacement);
     if (weights.size() == 0) return evidence;
 
-    evidence.gram = Matrix::Zero(p + q, p + q);
-    constexpr Index kBlock = 3 * 4096;
-    Matrix block, part(p + q, p + q);
-    Vector row_weights;
-    for (Index first = 0; first < 3 * n; first += kBlock) {
-        const Index size = std::min(kBlock, 3 * n - first);
-        block.resize(size, p + q);
-        block.leftCols(p) = model.identity_modes.map().middleRows(first, size).cast<double>();
-        block.rightCols(q) = model.expression_modes.map().middleRows(first, size).cast<double>();
-        row_weights.resize(size);
-        for (Index k = 0; k < size; ++k) row_weights[k] = weights[(first + k) / 3];
-        dense::weighted_gram(context, block, row_weights, part);
-        evidence.gram += part;
-    }
+    evidence.gram = mode_gram(context, model, weights);
     return evidence;
 }
 

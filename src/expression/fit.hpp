@@ -63,6 +63,9 @@ struct FitPlan {
 void check_face(const ExpressionModel& model, const PointsRef& vertices,
                 const Vector& weights_per_vertex);
 
+/// sum_i w_i B_i' B_i for the modes B = (identity, expression) and #V weights that are not negative. O(#V (p+q)^2).
+Matrix mode_gram(const Context& context, const ExpressionModel& model, const Vector& weights);
+
 /// Weights per vertex, >= 0, or empty for ones. O(#V (p+q)), and O(#V (p+q)^2) more with weights.
 FaceEvidence gather_evidence(const Context& context, const ExpressionModel& model,
                              const PointsRef& vertices, const Vector& weights_per_vertex);

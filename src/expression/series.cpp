@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "base/dense.hpp"
 #include "base/error.hpp"
 
 namespace mien {
@@ -42,24 +41,8 @@ Matrix coupling(const Vector& weights, double scan_noise, double noise) {
 
 /// sum_i c_i B_i' B_i with c of one sign per call (weighted_gram takes no negative weights).
 Matrix coupled_gram(const Context& context, const ExpressionModel& model, const Vector& c) {
-    const Index n = model.num_vertices(), p = model.num_identity_modes();
-    const Index q = model.num_expression_modes();
     const double sign = c.sum() < 0.0 ? -1.0 : 1.0;
-    Matrix gram = Matrix::Zero(p + q, p + q), part(p + q, p + q), block;
-    Vector row_weights;
-    constexpr Index kBlock = 3 * 4096;
-    for (Index first = 0; first < 3 * n; first += kBlock) {
-        const Index size = std::min(kBlock, 3 * n - first);
-        block.resize(size, p + q);
-        block.leftCols(p) = model.identity_modes.map().middleRows(first, size).cast<double>();
-        block.rightCols(q) = model.expression_modes.map().middleRows(first, size).cast<double>();
-        row_weights.resize(size);
-        for (Index row = 0; row < size; ++row)
-            row_weights[row] = std::max(0.0, sign * c[(first + row) / 3]);
-        dense::weighted_gram(context, block, row_weights, part);
-        gram += sign * part;
-    }
-    return model.spill.pull_gram(gram);
+    return model.spill.pull_gram(sign * mode_gram(context, model, (sign * c).cwiseMax(0.0)));
 }
 
 JointSystem build_system(const Context& context, const ExpressionModel& model,

@@ -9,6 +9,13 @@
 
 namespace mien::formats {
 
+void write_when_long(AtomicFile& file, std::string& out, const Context& context) {
+    if (out.size() <= kCancelInterval) return;
+    context.check_cancelled();
+    file.write(out);
+    out.clear();
+}
+
 void PolygonSink::add(const std::uint32_t* corners, std::size_t count,
                       const std::uint32_t* texture) {
     for (std::size_t k = 2; k < count; ++k) {

@@ -137,12 +137,6 @@ TriMesh read_obj(const FileBytes& bytes, const Context& context) {
 void write_obj(AtomicFile& file, const TriMesh& mesh, const Context& context) {
     std::string out = "# millimetres\n";
     const bool colors = mesh.colors.rows() != 0, texture = mesh.texture_triangles.rows() != 0;
-    auto flush = [&] {
-        if (out.size() <= kCancelInterval) return;
-        context.check_cancelled();
-        file.write(out);
-        out.clear();
-    };
     for (Index v = 0; v < mesh.vertices.rows(); ++v) {
         out += 'v';
         for (int k = 0; k < 3; ++k) append_number(out, mesh.vertices(v, k));
@@ -150,13 +144,13 @@ void write_obj(AtomicFile& file, const TriMesh& mesh, const Context& context) {
         if (colors)
             for (int k = 0; k < 3; ++k) append_number(out, mesh.colors(v, k) / 255.0, 6);
         out += '\n';
-        flush();
+        write_when_long(file, out, context);
     }
     for (Index t = 0; texture && t < mesh.texture.rows(); ++t) {
         out += "vt";
         for (int k = 0; k < 2; ++k) append_number(out, static_cast<double>(mesh.texture(t, k)));
         out += '\n';
-        flush();
+        write_when_long(file, out, context);
     }
     for (Index t = 0; t < mesh.triangles.rows(); ++t) {
         out += 'f';
@@ -168,7 +162,7 @@ void write_obj(AtomicFile& file, const TriMesh& mesh, const Context& context) {
             out[blank] = '/';
         }
         out += '\n';
-        flush();
+        write_when_long(file, out, context);
     }
     file.write(out);
 }

@@ -216,21 +216,13 @@ void write_off(AtomicFile& file, const TriMesh& mesh, const Context& context) {
             out += " 255";
         }
         out += '\n';
-        if (out.size() > kCancelInterval) {
-            context.check_cancelled();
-            file.write(out);
-            out.clear();
-        }
+        write_when_long(file, out, context);
     }
     for (Index t = 0; t < mesh.triangles.rows(); ++t) {
         out += '3';
         for (int k = 0; k < 3; ++k) append_number(out, std::uint64_t(mesh.triangles(t, k)));
         out += '\n';
-        if (out.size() > kCancelInterval) {
-            context.check_cancelled();
-            file.write(out);
-            out.clear();
-        }
+        write_when_long(file, out, context);
     }
     file.write(out);
 }

@@ -32,11 +32,7 @@ void write_ply(AtomicFile& file, const TriMesh& mesh, const Context& context) {
     for (Index v = 0; v < mesh.vertices.rows(); ++v) {
         for (int k = 0; k < 3; ++k) put(out, static_cast<float>(mesh.vertices(v, k)));
         if (colors) out.append(reinterpret_cast<const char*>(mesh.colors.data() + 3 * v), 3);
-        if (out.size() > kCancelInterval) {
-            context.check_cancelled();
-            file.write(out);
-            out.clear();
-        }
+        write_when_long(file, out, context);
     }
     for (Index t = 0; t < mesh.triangles.rows(); ++t) {
         out += '\3';
@@ -47,11 +43,7 @@ void write_ply(AtomicFile& file, const TriMesh& mesh, const Context& context) {
                 for (int axis = 0; axis < 2; ++axis)
                     put(out, mesh.texture(static_cast<Index>(mesh.texture_triangles(t, k)), axis));
         }
-        if (out.size() > kCancelInterval) {
-            context.check_cancelled();
-            file.write(out);
-            out.clear();
-        }
+        write_when_long(file, out, context);
     }
     file.write(out);
 }

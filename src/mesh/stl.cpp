@@ -145,11 +145,7 @@ void write_stl(AtomicFile& file, const TriMesh& mesh, const Context& context) {
         }
         out.append(reinterpret_cast<const char*>(values), sizeof values);
         out.append(2, '\0');
-        if (out.size() > kCancelInterval) {
-            context.check_cancelled();
-            file.write(out);
-            out.clear();
-        }
+        write_when_long(file, out, context);
     }
     file.write(out);
 }
