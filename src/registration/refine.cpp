@@ -62,19 +62,19 @@ VertexRings build_rings(Index num_vertices, const Triangles& triangles) {
     return rings;
 }
 
-void close_gap(const ScanSurface& scan, const Triangles& triangles, const VertexRings& rings, const Vector& trust,
-               const CorrespondenceOptions& match, const GapOptions& options, Points& places,
-               const Context& context) {
+Vector close_gap(const ScanSurface& scan, const Vector& scan_weight, const Triangles& triangles, const VertexRings& rings,
+                 const Vector& trust, const CorrespondenceOptions& match, const GapOptions& options, Points& places,
+                 const Context& context) {
     const Index n = places.rows();
     CorrespondenceOptions filter = match;
     filter.robust_scale_mm = options.robust_scale_mm;
     filter.max_distance_mm = 4 * options.robust_scale_mm;
     Correspondences found;
+    Vector weight(n), gap(n);
     for (int round = 0; round < options.rounds; ++round) {
         context.progress(Stage::refining, static_cast<double>(round) / options.rounds);
         const Points normals = vertex_normals(places, triangles);
-        find_correspondences(scan, places, normals, Vector(), filter, found, context);
-        Vector weight(n), gap(n);
+        find_correspondences(scan, places, normals, scan_weight, filter, found, context);
         for (Index i = 0; i < n; ++i) {
             weight[i] = found.weight[i] * trust[i];
             // The gap to the plane through the hit, seen along the template's normal.
@@ -102,6 +102,7 @@ void close_gap(const ScanSurface& scan, const Triangles& triangles, const Vertex
             places.row(i) += std::clamp(delta[i], -options.max_step_mm, options.max_step_mm) * normals.row(i);
     }
     context.progress(Stage::refining, 1);
+    return weight;
 }
 
 namespace {

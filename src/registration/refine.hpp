@@ -3,7 +3,9 @@
 //   minimise  sum_i w_i (r_i - delta_i)^2 + alpha |L delta|^2,   x_i += delta_i n_i
 //
 // r_i the signed gap along the normal, w_i its robust weight, L the graph Laplacian (umbrella) of the
-// template. alpha spreads the scanner's noise over neighbours instead of following it.
+// template. alpha spreads the scanner's noise over neighbours instead of following it. Rounds fit what the rounds
+// before left (twicing): a hill that the modes do not know, a swelling or an injection, is beyond the robust scale
+// at first and rises from its foot to its top, round by round.
 #pragma once
 
 #include <vector>
@@ -24,13 +26,14 @@ struct GapOptions {
     double smoothness = 2;       ///< alpha
     double robust_scale_mm = 1;  ///< of the weight
     double max_step_mm = 3;      ///< cap of the field
-    int rounds = 2;              ///< closest points are found anew in each
+    int rounds = 6;              ///< closest points are found anew in each
 };
 
-/// Moves `places` (#V x 3, scan frame). `trust` in [0, 1] per vertex multiplies the weights.
-void close_gap(const ScanSurface& scan, const Triangles& triangles, const VertexRings& rings, const Vector& trust,
-               const CorrespondenceOptions& match, const GapOptions& options, Points& places,
-               const Context& context);
+/// Moves `places` (#V x 3, scan frame). `scan_weight`, per scan vertex or empty, and `trust`, per vertex, both in
+/// [0, 1], multiply the weights. Returns the weights of the last round, #V.
+Vector close_gap(const ScanSurface& scan, const Vector& scan_weight, const Triangles& triangles, const VertexRings& rings,
+                 const Vector& trust, const CorrespondenceOptions& match, const GapOptions& options, Points& places,
+                 const Context& context);
 
 /// A triangle that lies otherwise than its neighbourhood carries it.
 struct TurnedTriangle {

@@ -285,6 +285,7 @@ RegistrationResult register_scan(const DeformationModel& model, const TriMesh& r
     const VertexRings rings = build_rings(n, triangles);
     const Points rest = state.motion.apply(PointsRef(model.template_mesh.vertices));
     Index repaired = 0, turned = 0;
+    Vector closed;  // weights of the last stage
     if (options.close_gap) {
         GapOptions gap;
         gap.smoothness = options.gap_smoothness;
@@ -292,7 +293,7 @@ RegistrationResult register_scan(const DeformationModel& model, const TriMesh& r
         const Points before = state.places;
         Vector open(n);
         for (Index i = 0; i < n; ++i) open[i] = state.inner[static_cast<std::size_t>(i)] ? 0 : 1;
-        close_gap(scan, triangles, rings, open, options.correspondence, gap, state.places, context);
+        closed = close_gap(scan, scan_weight, triangles, rings, open, options.correspondence, gap, state.places, context);
         if (options.repair) repaired = undo_turns(before, triangles, rings, state.places);
     }
     // What trained modes fold, faces have been seen to fold: only the rest has to lie as the template does.
@@ -307,9 +308,10 @@ RegistrationResult register_scan(const DeformationModel& model, const TriMesh& r
     // What the host gets.
     const Points normals = vertex_normals(state.places, triangles);
     const Points normals_model = normals * state.motion.rotation;
-    result.weight = state.final_weight;
-    result.confidence_mm = place_deviation(model, state, result.weight, normals_model, pins, options,
+    // Where the modes could not follow, the place along the skin is not known, though the surface is.
+    result.confidence_mm = place_deviation(model, state, state.final_weight, normals_model, pins, options,
                                            context);
+    result.weight = closed.size() > 0 ? Vector(state.final_weight.cwiseMax(closed)) : state.final_weight;
     scan.tree.closest(state.places, 1e30, result.correspondence, context);
     result.residual_mm.resize(n);
     for (Index i = 0; i < n; ++i) {

@@ -159,14 +159,47 @@ TEST(Gap, IsClosedSmoothly) {
         target.vertices(i, 2) += 0.8 * gauss(target.vertices(i, 0), 25) * gauss(target.vertices(i, 1), 25);
     const ScanSurface scan = prepare_scan(target, 0, {});
     Points places = sheet.vertices;
-    close_gap(scan, sheet.triangles, build_rings(places.rows(), sheet.triangles), Vector::Ones(places.rows()), {}, {},
-              places, {});
+    close_gap(scan, Vector(), sheet.triangles, build_rings(places.rows(), sheet.triangles), Vector::Ones(places.rows()),
+              {}, {}, places, {});
     std::vector<SurfaceHit> before, after;
     scan.tree.closest(sheet.vertices, 10, before, {});
     scan.tree.closest(places, 10, after, {});
     double gap_before = 0, gap_after = 0;
     for (std::size_t i = 0; i < before.size(); ++i) gap_before += before[i].distance(), gap_after += after[i].distance();
     EXPECT_LT(gap_after, 0.25 * gap_before);
+}
+
+// An injection that the modes do not know stands three robust scales above the fit: it was cut off by half.
+TEST(Gap, OfAHillBeyondTheRobustScaleIsClosedFromItsFoot) {
+    const TriMesh sheet = face_sheet(40);
+    TriMesh target = sheet;
+    const auto height = [&](Index i) { return 3 * gauss(sheet.vertices(i, 0), 25) * gauss(sheet.vertices(i, 1), 25); };
+    for (Index i = 0; i < target.vertices.rows(); ++i) target.vertices(i, 2) += height(i);
+    const ScanSurface scan = prepare_scan(target, 0, {});
+    const auto fitted = [&](const Vector& scan_weight, Points& places) {
+        places = sheet.vertices;
+        return close_gap(scan, scan_weight, sheet.triangles, build_rings(places.rows(), sheet.triangles),
+                         Vector::Ones(places.rows()), {}, {}, places, {});
+    };
+    Points places;
+    const Vector weight = fitted(Vector(), places);
+    std::vector<SurfaceHit> hits;
+    scan.tree.closest(places, 10, hits, {});
+    for (Index i = 0; i < places.rows(); ++i) {
+        if (height(i) < 1.5) continue;
+        EXPECT_LT(hits[static_cast<std::size_t>(i)].distance(), 0.2 * height(i));
+        EXPECT_GT(weight[i], 0.8) << "what was reached was seen";
+    }
+    // A host that gives the hill no weight does not want it followed.
+    Vector without_hill = Vector::Ones(target.vertices.rows());
+    for (Index i = 0; i < without_hill.size(); ++i)
+        if (height(i) > 0.1) without_hill[i] = 0;
+    const Vector none = fitted(without_hill, places);
+    for (Index i = 0; i < places.rows(); ++i)
+        if (height(i) > 1.5) {
+            EXPECT_LT(places(i, 2) - sheet.vertices(i, 2), 0.5 * height(i));
+            EXPECT_EQ(none[i], 0);
+        }
 }
 
 TEST(Skin, TonesOfSkinOutweighHairAndCloth) {
