@@ -36,10 +36,26 @@ endif()
 if(MIEN_WERROR)
     target_compile_options(mien_flags INTERFACE -Werror)
 endif()
+# The library and the command: a machine that has the C library has all they need.
+if(MIEN_SELF_CONTAINED AND WIN32)
+    add_link_options(-static)
+elseif(MIEN_SELF_CONTAINED)
+    add_link_options(-static-libgcc -static-libstdc++)
+endif()
 if(MIEN_SANITIZE)
     add_compile_options(-fsanitize=${MIEN_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
     add_link_options(-fsanitize=${MIEN_SANITIZE})
 endif()
+
+# What nearly every file of the core includes, and the decompositions that are compiled once.
+set(mien_common_headers <Eigen/Dense> ${PROJECT_SOURCE_DIR}/src/base/decompositions.hpp
+    <string> <vector> <functional> <memory> <map>)
+
+# mien_compile_fast(TARGET): a program in which the compiler's time counts for more than its own. Not for what links
+# the core statically: its copies of inline functions could take the place of the core's.
+function(mien_compile_fast target)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
 
 # mien_room(NAME room ...): the static library mien_NAME from src/NAME/*.cpp, on top of the rooms given.
 function(mien_room name)

@@ -51,22 +51,30 @@ root=$(echo "$look"/*/)
 (cd "$root" && sha256sum --quiet -c MANIFEST.txt)
 if [ "$machine" = windows-x86_64 ]; then
     library=$root/bin/mien-0.dll
-    needed=$($objdump -p "$library" | sed -n 's/.*DLL Name: //p' | sort | tr '\n' ' ')
+    command=$root/bin/mien.exe
+    needed_by() { $objdump -p "$1" | sed -n 's/.*DLL Name: //p' | sort | tr '\n' ' '; }
     allowed='KERNEL32.dll|msvcrt.dll|USER32.dll|ADVAPI32.dll|bcrypt.dll'
+    own=mien-0.dll
 else
     library=$(ls "$root"/lib/libmien.so.0.*)
-    needed=$($readelf -dW "$library" | sed -n 's/.*NEEDED.*\[\(.*\)\]/\1/p' | tr '\n' ' ')
+    command=$root/bin/mien
+    needed_by() { $readelf -dW "$1" | sed -n 's/.*NEEDED.*\[\(.*\)\]/\1/p' | tr '\n' ' '; }
     allowed='libc.so.6|libm.so.6|ld-linux-.*'
+    own=libmien.so.0
 fi
 # Names that the loader would not find, where this machine can load it.
-if [ "$machine" = "linux-$(uname -m)" ] && ldd -r "$library" | grep -E 'undefined|not found'; then
-    echo "FAILED: the library has unresolved names" >&2
+if [ "$machine" = "linux-$(uname -m)" ] && { ldd -r "$library"; ldd -r "$command"; } | grep -E 'undefined|not found'; then
+    echo "FAILED: the library or the command has unresolved names" >&2
     exit 1
 fi
 size=$(wc -c <"$library")
 echo "$archive: $(wc -c <"$archive") bytes, $(wc -l <"$root/MANIFEST.txt") files"
-echo "$(basename "$library"): $size bytes, needs $needed"
-for name in $needed; do
+echo "$(basename "$library"): $size bytes, needs $(needed_by "$library")"
+echo "$(basename "$command"): $(wc -c <"$command") bytes, needs $(needed_by "$command")"
+for name in $(needed_by "$library"); do
     echo "$name" | grep -qE "^($allowed)$" || { echo "FAILED: the library needs $name" >&2; exit 1; }
+done
+for name in $(needed_by "$command"); do
+    echo "$name" | grep -qE "^($allowed|$own)$" || { echo "FAILED: the command needs $name" >&2; exit 1; }
 done
 [ "$size" -lt 6000000 ] || { echo "FAILED: the library is larger than 6 MB" >&2; exit 1; }

@@ -3,7 +3,7 @@
 #   sh tests/cross.sh [linux-x86_64] [linux-aarch64] [windows-x86_64]    (default: all three)
 # 64-bit ARM runs through qemu-user, Windows through wine; what is missing is installed by apt. Each archive
 # is unpacked into an empty folder and used as a stranger would: the first program in C does the main job on
-# the project's own demo data, a program of the first release runs, file names are UTF-8, and every function is called
+# the project's own demo data, also where there is nothing but the C library (this machine's kind alone), a program of the first release runs, file names are UTF-8, and every function is called
 # with every wrong argument. The neutral face must agree with this machine's own build to 0.001 mm (abi/README.md, promises).
 #   MIEN_NATIVE  a build of this machine with bin/mien and bin/mien-demo-data (default build/release)
 #   MIEN_WORK    keeps dependencies and objects for the next run (default build/cross)
@@ -80,6 +80,7 @@ for machine; do
     cd "$programs"
     run "./first$exe" "$demo/face.safetensors" "$demo/expressions.safetensors" "$demo/scan/scan_grin.ply" neutral.ply >first.log
     python3 "$project/tests/bindings/compare_ply.py" "$demo/neutral.ply" neutral.ply 0.001
+    [ "$machine" = "linux-$(uname -m)" ] && sh "$project/tests/bindings/bare_root.sh" "${root%/}" "$demo" "$programs"
     run "./previous$exe"
     run "./utf8_paths$exe"
     run "./abuse$exe" - 20000
