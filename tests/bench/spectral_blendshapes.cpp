@@ -7,7 +7,6 @@
 #include <map>
 
 #include "mesh/dataset.hpp"
-#include "mesh/mesh_file.hpp"
 #include "spectral/blendshapes.hpp"
 #include "spectral/deformation_transfer.hpp"
 #include "spectral/metrics.hpp"
@@ -97,25 +96,12 @@ int main(int argc, char** argv) {
                 const DeformationTransfer carry(neutral, context);
                 for (const Index s : {Index(0), Index(num_train / 3), Index(2 * num_train / 3)}) {
                     train.pair(s, source_neutral, source_face);
-                    const Points moved = carry.transfer(source_neutral, source_face, context);
-                    transfer.add(truth, moved);
-                    if (i == 0 && s == 0) {
-                        TriMesh out = truth;
-                        write_mesh_file(std::string(argv[a]) + "_truth.ply", out, context);
-                        out.vertices = moved;
-                        write_mesh_file(std::string(argv[a]) + "_transfer.ply", out, context);
-                    }
+                    transfer.add(truth, carry.transfer(source_neutral, source_face, context));
                 }
                 const auto p = model->predict(neutral.vertices, context);
                 spatial.add(truth, p.spatial);
                 differential.add(truth, p.differential);
-                const Points assembled = assemble(*basis, p.spatial, p.differential, k, context);
-                banded.add(truth, assembled);
-                if (i == 0) {
-                    TriMesh out = truth;
-                    out.vertices = assembled;
-                    write_mesh_file(std::string(argv[a]) + "_banded.ply", out, context);
-                }
+                banded.add(truth, assemble(*basis, p.spatial, p.differential, k, context));
             }
             std::printf("%s: %ld test subjects\n", argv[a], static_cast<long>(test.count));
             none.print("neutral unchanged");
