@@ -26,17 +26,6 @@ void read_any(const mien_array_view& view, int columns, const char* name, double
              view.dtype);
 }
 
-/// Writes the count; true when dst is to be filled.
-bool wants_copy(std::uint64_t rows, const void* dst, std::uint64_t capacity, std::uint64_t* count) {
-    store(count, rows);
-    if (dst == nullptr && capacity == 0) return false;
-    if (dst == nullptr) fail(Status::invalid_argument, "dst is null, capacity is not 0");
-    if (capacity < rows)
-        fail(Status::buffer_too_small, "capacity is %llu, %llu are needed",
-             static_cast<unsigned long long>(capacity), static_cast<unsigned long long>(rows));
-    return true;
-}
-
 }  // namespace
 
 const char* checked_text(const char* text, const char* parameter) {
@@ -116,6 +105,16 @@ std::vector<Zone> read_zones(const mien_zone* zones, std::uint64_t count, Index 
     std::vector<Zone> result;
     for (std::uint64_t i = 0; i < count; ++i) result.push_back(read_zone(zones[i], num_vertices));
     return result;
+}
+
+bool wants_copy(std::uint64_t rows, const void* dst, std::uint64_t capacity, std::uint64_t* count) {
+    store(count, rows);
+    if (dst == nullptr && capacity == 0) return false;
+    if (dst == nullptr) fail(Status::invalid_argument, "dst is null, capacity is not 0");
+    if (capacity < rows)
+        fail(Status::buffer_too_small, "capacity is %llu, %llu are needed",
+             static_cast<unsigned long long>(capacity), static_cast<unsigned long long>(rows));
+    return true;
 }
 
 void copy_rows(const void* source, std::uint64_t rows, std::size_t row_bytes, void* dst,

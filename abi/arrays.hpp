@@ -66,6 +66,8 @@ Zone read_zone(const mien_zone& zone, Index num_vertices);
 std::vector<Zone> read_zones(const mien_zone* zones, std::uint64_t count, Index num_vertices,
                              const char* name);
 
+/// Writes the count, and says whether dst is to be filled; a short capacity throws as below.
+bool wants_copy(std::uint64_t rows, const void* dst, std::uint64_t capacity, std::uint64_t* count);
 /// The two-call protocol: with dst null and capacity 0 writes *count only; a short capacity throws
 /// Status::buffer_too_small with *count written and dst untouched. `rows` of row_bytes each.
 void copy_rows(const void* source, std::uint64_t rows, std::size_t row_bytes, void* dst,

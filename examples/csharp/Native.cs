@@ -49,6 +49,17 @@ namespace Mien.Native
         internal const int MIEN_DTYPE_I32 = 3;
         internal const int MIEN_DTYPE_U32 = 4;
         internal const int MIEN_DTYPE_U8 = 5;
+        internal const int MIEN_MASS_MIXED_VORONOI = 0;
+        internal const int MIEN_MASS_BARYCENTRIC = 1;
+        internal const int MIEN_MASS_NONE = 2;
+        internal const int MIEN_COTANGENTS_INTRINSIC_DELAUNAY = 0;
+        internal const int MIEN_COTANGENTS_CLAMP = 1;
+        internal const int MIEN_COTANGENTS_KEEP = 2;
+        internal const int MIEN_METRIC_L1 = 1;
+        internal const int MIEN_METRIC_L2 = 2;
+        internal const int MIEN_METRIC_HAUSDORFF = 3;
+        internal const int MIEN_METRIC_DAME = 4;
+        internal const int MIEN_METRIC_FMPD = 5;
         internal const int MIEN_KERNEL_NONE = 0;
         internal const int MIEN_KERNEL_EUCLIDEAN_SE = 1;
         internal const int MIEN_KERNEL_GEODESIC_SE = 2;
@@ -84,6 +95,8 @@ namespace Mien.Native
         internal const int MIEN_POSE_AUTO = 0;
         internal const int MIEN_POSE_KEEP = 1;
         internal const int MIEN_POSE_RIGID = 2;
+        internal const int MIEN_MAP_DOWN = 1;
+        internal const int MIEN_MAP_UP = 2;
         internal const int MIEN_ZONE_WHOLE = -1;
         internal const int MIEN_ZONE_REST = -2;
         internal const int MIEN_FIELD_SIGNED_DISTANCE_MM = 1;
@@ -97,27 +110,14 @@ namespace Mien.Native
         internal const int MIEN_CARRY_CLOSEST_POINT = 1;
         internal const int MIEN_CARRY_DIRECTION = 2;
         internal const int MIEN_CARRY_VERTEX_NORMAL = 3;
-        internal const int MIEN_PLS_NIPALS = 0;
-        internal const int MIEN_PLS_SIMPLS = 1;
-        internal const int MIEN_MASS_MIXED_VORONOI = 0;
-        internal const int MIEN_MASS_BARYCENTRIC = 1;
-        internal const int MIEN_MASS_NONE = 2;
-        internal const int MIEN_COTANGENTS_INTRINSIC_DELAUNAY = 0;
-        internal const int MIEN_COTANGENTS_CLAMP = 1;
-        internal const int MIEN_COTANGENTS_KEEP = 2;
-        internal const int MIEN_METRIC_L1 = 1;
-        internal const int MIEN_METRIC_L2 = 2;
-        internal const int MIEN_METRIC_HAUSDORFF = 3;
-        internal const int MIEN_METRIC_DAME = 4;
-        internal const int MIEN_METRIC_FMPD = 5;
         internal const int MIEN_FEATURES_EUCLIDEAN = 1;
         internal const int MIEN_FEATURES_EUCLIDEAN_STANDARDISED = 2;
         internal const int MIEN_FEATURES_EUCLIDEAN_NORMALISED = 3;
         internal const int MIEN_FEATURES_DEFORMATION = 4;
         internal const int MIEN_FEATURES_DEFORMATION_NORMALISED = 5;
         internal const int MIEN_FEATURES_DEFORMATION_STANDARDISED = 6;
-        internal const int MIEN_MAP_DOWN = 1;
-        internal const int MIEN_MAP_UP = 2;
+        internal const int MIEN_PLS_NIPALS = 0;
+        internal const int MIEN_PLS_SIMPLS = 1;
         internal const int MIEN_TRAIN_JPCA = 0;
         internal const int MIEN_TRAIN_QOJPCA = 1;
     }
@@ -168,6 +168,40 @@ namespace Mien.Native
         public IntPtr triangles;
         public ulong triangleCount;
         public IntPtr colors;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct SpectralBasisOptions
+    {
+        public uint structSize;
+        public uint modeCount;
+        public int mass;
+        public int cotangents;
+        public IntPtr progress;
+        public IntPtr progressUser;
+        public IntPtr cancel;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct BlendshapeOptions
+    {
+        public uint structSize;
+        public uint reserved;
+        public double ridge;
+        public IntPtr progress;
+        public IntPtr progressUser;
+        public IntPtr cancel;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct BandChoice
+    {
+        public ulong k;
+        public double l1Mm;
+        public double dame;
+        public double fmpd;
+        public int onFront;
+        public int chosen;
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -463,40 +497,6 @@ namespace Mien.Native
     }
 
     [StructLayout(LayoutKind.Sequential)]
-    internal unsafe struct SpectralBasisOptions
-    {
-        public uint structSize;
-        public uint modeCount;
-        public int mass;
-        public int cotangents;
-        public IntPtr progress;
-        public IntPtr progressUser;
-        public IntPtr cancel;
-    }
-
-    [StructLayout(LayoutKind.Sequential)]
-    internal unsafe struct BlendshapeOptions
-    {
-        public uint structSize;
-        public uint reserved;
-        public double ridge;
-        public IntPtr progress;
-        public IntPtr progressUser;
-        public IntPtr cancel;
-    }
-
-    [StructLayout(LayoutKind.Sequential)]
-    internal unsafe struct BandChoice
-    {
-        public ulong k;
-        public double l1Mm;
-        public double dame;
-        public double fmpd;
-        public int onFront;
-        public int chosen;
-    }
-
-    [StructLayout(LayoutKind.Sequential)]
     internal unsafe struct TrainOptions
     {
         public uint structSize;
@@ -560,6 +560,16 @@ namespace Mien.Native
         protected override bool ReleaseHandle() { Functions.mien_mesh_release(handle); return true; }
     }
 
+    internal sealed class SpectralBasisHandle : Handle
+    {
+        protected override bool ReleaseHandle() { Functions.mien_spectral_basis_release(handle); return true; }
+    }
+
+    internal sealed class BlendshapeModelHandle : Handle
+    {
+        protected override bool ReleaseHandle() { Functions.mien_blendshape_model_release(handle); return true; }
+    }
+
     internal sealed class DatasetWriterHandle : Handle
     {
         protected override bool ReleaseHandle() { Functions.mien_dataset_writer_release(handle); return true; }
@@ -595,9 +605,19 @@ namespace Mien.Native
         protected override bool ReleaseHandle() { Functions.mien_evaluation_release(handle); return true; }
     }
 
+    internal sealed class HierarchyHandle : Handle
+    {
+        protected override bool ReleaseHandle() { Functions.mien_hierarchy_release(handle); return true; }
+    }
+
     internal sealed class MeasurementHandle : Handle
     {
         protected override bool ReleaseHandle() { Functions.mien_measurement_release(handle); return true; }
+    }
+
+    internal sealed class RepresentationHandle : Handle
+    {
+        protected override bool ReleaseHandle() { Functions.mien_representation_release(handle); return true; }
     }
 
     internal sealed class ScoreModelHandle : Handle
@@ -608,26 +628,6 @@ namespace Mien.Native
     internal sealed class SeriesHandle : Handle
     {
         protected override bool ReleaseHandle() { Functions.mien_series_release(handle); return true; }
-    }
-
-    internal sealed class SpectralBasisHandle : Handle
-    {
-        protected override bool ReleaseHandle() { Functions.mien_spectral_basis_release(handle); return true; }
-    }
-
-    internal sealed class RepresentationHandle : Handle
-    {
-        protected override bool ReleaseHandle() { Functions.mien_representation_release(handle); return true; }
-    }
-
-    internal sealed class HierarchyHandle : Handle
-    {
-        protected override bool ReleaseHandle() { Functions.mien_hierarchy_release(handle); return true; }
-    }
-
-    internal sealed class BlendshapeModelHandle : Handle
-    {
-        protected override bool ReleaseHandle() { Functions.mien_blendshape_model_release(handle); return true; }
     }
 
     internal sealed class VisitsHandle : Handle
@@ -813,6 +813,190 @@ namespace Mien.Native
 #else
         [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_mesh_release(IntPtr mesh);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_spectral_basis_options_init(ref SpectralBasisOptions options, UIntPtr struct_size);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_spectral_basis_options_init(ref SpectralBasisOptions options, UIntPtr struct_size);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_spectral_basis_build(SessionHandle session, MeshHandle mean, ref SpectralBasisOptions options, out SpectralBasisHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_basis_build(SessionHandle session, MeshHandle mean, ref SpectralBasisOptions options, out SpectralBasisHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_spectral_basis_load(SessionHandle session, byte[] path, out SpectralBasisHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_basis_load(SessionHandle session, byte[] path, out SpectralBasisHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_spectral_basis_save(SessionHandle session, SpectralBasisHandle basis, byte[] path, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_basis_save(SessionHandle session, SpectralBasisHandle basis, byte[] path, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_spectral_basis_get_counts(SpectralBasisHandle basis, out ulong vertex_count, out ulong mode_count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_basis_get_counts(SpectralBasisHandle basis, out ulong vertex_count, out ulong mode_count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_spectral_basis_get_eigenvalues(SpectralBasisHandle basis, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_basis_get_eigenvalues(SpectralBasisHandle basis, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_spectral_basis_retain(IntPtr basis);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_spectral_basis_retain(IntPtr basis);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_spectral_basis_release(IntPtr basis);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_spectral_basis_release(IntPtr basis);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_spectral_split(SessionHandle session, SpectralBasisHandle basis, MeshHandle face, ulong k, out MeshHandle low, out MeshHandle high, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_split(SessionHandle session, SpectralBasisHandle basis, MeshHandle face, ulong k, out MeshHandle low, out MeshHandle high, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_spectral_assemble(SessionHandle session, SpectralBasisHandle basis, MeshHandle low, MeshHandle high, ulong k, out MeshHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_assemble(SessionHandle session, SpectralBasisHandle basis, MeshHandle low, MeshHandle high, ulong k, out MeshHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_spectral_edit(SessionHandle session, SpectralBasisHandle basis, MeshHandle face, IntPtr limits, ulong limit_count, IntPtr gains, out MeshHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_edit(SessionHandle session, SpectralBasisHandle basis, MeshHandle face, IntPtr limits, ulong limit_count, IntPtr gains, out MeshHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_spectral_mix(SessionHandle session, SpectralBasisHandle basis, MeshHandle first, MeshHandle second, IntPtr limits, ulong limit_count, IntPtr weights, out MeshHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_mix(SessionHandle session, SpectralBasisHandle basis, MeshHandle first, MeshHandle second, IntPtr limits, ulong limit_count, IntPtr weights, out MeshHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_metric(SessionHandle session, int metric, MeshHandle reference, MeshHandle other, IntPtr value, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_metric(SessionHandle session, int metric, MeshHandle reference, MeshHandle other, IntPtr value, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_transfer_expression(SessionHandle session, MeshHandle source_neutral, MeshHandle source_expression, MeshHandle target_neutral, out MeshHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_transfer_expression(SessionHandle session, MeshHandle source_neutral, MeshHandle source_expression, MeshHandle target_neutral, out MeshHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_blendshape_options_init(ref BlendshapeOptions options, UIntPtr struct_size);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_blendshape_options_init(ref BlendshapeOptions options, UIntPtr struct_size);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_blendshape_model_train(SessionHandle session, byte[] dataset_path, byte[] expression, ref BlendshapeOptions options, out BlendshapeModelHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_blendshape_model_train(SessionHandle session, byte[] dataset_path, byte[] expression, ref BlendshapeOptions options, out BlendshapeModelHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_blendshape_model_load(SessionHandle session, byte[] path, out BlendshapeModelHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_blendshape_model_load(SessionHandle session, byte[] path, out BlendshapeModelHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_blendshape_model_save(SessionHandle session, BlendshapeModelHandle model, byte[] path, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_blendshape_model_save(SessionHandle session, BlendshapeModelHandle model, byte[] path, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_blendshape_model_get_mean(BlendshapeModelHandle model, out MeshHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_blendshape_model_get_mean(BlendshapeModelHandle model, out MeshHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_blendshape_model_predict(SessionHandle session, BlendshapeModelHandle model, IntPtr basis, ulong k, MeshHandle neutral, out MeshHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_blendshape_model_predict(SessionHandle session, BlendshapeModelHandle model, IntPtr basis, ulong k, MeshHandle neutral, out MeshHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_blendshape_model_search(SessionHandle session, BlendshapeModelHandle model, SpectralBasisHandle basis, byte[] dataset_path, byte[] expression, IntPtr candidates, uint candidate_count, ref BlendshapeOptions options, ref BandChoice choices, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_blendshape_model_search(SessionHandle session, BlendshapeModelHandle model, SpectralBasisHandle basis, byte[] dataset_path, byte[] expression, IntPtr candidates, uint candidate_count, ref BlendshapeOptions options, ref BandChoice choices, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_blendshape_model_retain(IntPtr model);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_blendshape_model_retain(IntPtr model);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_blendshape_model_release(IntPtr model);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_blendshape_model_release(IntPtr model);
 #endif
 
 #if NET7_0_OR_GREATER
@@ -1281,6 +1465,78 @@ namespace Mien.Native
 
 #if NET7_0_OR_GREATER
         [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_hierarchy_build_quadric(SessionHandle session, MeshHandle mesh, uint level_count, double factor, out HierarchyHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_hierarchy_build_quadric(SessionHandle session, MeshHandle mesh, uint level_count, double factor, out HierarchyHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_hierarchy_build_connectivity(SessionHandle session, MeshHandle mesh, uint level_count, uint stride, uint radius, out HierarchyHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_hierarchy_build_connectivity(SessionHandle session, MeshHandle mesh, uint level_count, uint stride, uint radius, out HierarchyHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_hierarchy_load(SessionHandle session, byte[] path, out HierarchyHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_hierarchy_load(SessionHandle session, byte[] path, out HierarchyHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_hierarchy_save(SessionHandle session, HierarchyHandle hierarchy, byte[] path, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_hierarchy_save(SessionHandle session, HierarchyHandle hierarchy, byte[] path, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_hierarchy_get_level_count(HierarchyHandle hierarchy, out ulong level_count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_hierarchy_get_level_count(HierarchyHandle hierarchy, out ulong level_count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_hierarchy_get_level(HierarchyHandle hierarchy, uint level, out MeshHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_hierarchy_get_level(HierarchyHandle hierarchy, uint level, out MeshHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_hierarchy_apply(HierarchyHandle hierarchy, uint level, int direction, IntPtr values, ulong row_count, ulong channel_count, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_hierarchy_apply(HierarchyHandle hierarchy, uint level, int direction, IntPtr values, ulong row_count, ulong channel_count, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_hierarchy_retain(IntPtr hierarchy);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_hierarchy_retain(IntPtr hierarchy);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_hierarchy_release(IntPtr hierarchy);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_hierarchy_release(IntPtr hierarchy);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial void mien_measure_options_init(ref MeasureOptions options, UIntPtr struct_size);
 #else
         [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
@@ -1405,6 +1661,70 @@ namespace Mien.Native
 #else
         [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_measurement_release(IntPtr measurement);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_representation_train(SessionHandle session, byte[] dataset_path, int kind, int neutral_only, out RepresentationHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_representation_train(SessionHandle session, byte[] dataset_path, int kind, int neutral_only, out RepresentationHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_representation_load(SessionHandle session, byte[] path, out RepresentationHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_representation_load(SessionHandle session, byte[] path, out RepresentationHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_representation_save(SessionHandle session, RepresentationHandle representation, byte[] path, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_representation_save(SessionHandle session, RepresentationHandle representation, byte[] path, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_representation_get_counts(RepresentationHandle representation, out ulong vertex_count, out ulong channel_count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_representation_get_counts(RepresentationHandle representation, out ulong vertex_count, out ulong channel_count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_representation_encode(SessionHandle session, RepresentationHandle representation, MeshHandle face, IntPtr motion, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_representation_encode(SessionHandle session, RepresentationHandle representation, MeshHandle face, IntPtr motion, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_representation_decode(SessionHandle session, RepresentationHandle representation, IntPtr features, ulong row_count, IntPtr motion, out MeshHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_representation_decode(SessionHandle session, RepresentationHandle representation, IntPtr features, ulong row_count, IntPtr motion, out MeshHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_representation_retain(IntPtr representation);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_representation_retain(IntPtr representation);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_representation_release(IntPtr representation);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_representation_release(IntPtr representation);
 #endif
 
 #if NET7_0_OR_GREATER
@@ -1549,326 +1869,6 @@ namespace Mien.Native
 #else
         [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_series_release(IntPtr series);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_spectral_basis_options_init(ref SpectralBasisOptions options, UIntPtr struct_size);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_spectral_basis_options_init(ref SpectralBasisOptions options, UIntPtr struct_size);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_spectral_basis_build(SessionHandle session, MeshHandle mean, ref SpectralBasisOptions options, out SpectralBasisHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_spectral_basis_build(SessionHandle session, MeshHandle mean, ref SpectralBasisOptions options, out SpectralBasisHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_spectral_basis_load(SessionHandle session, byte[] path, out SpectralBasisHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_spectral_basis_load(SessionHandle session, byte[] path, out SpectralBasisHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_spectral_basis_save(SessionHandle session, SpectralBasisHandle basis, byte[] path, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_spectral_basis_save(SessionHandle session, SpectralBasisHandle basis, byte[] path, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_spectral_basis_get_counts(SpectralBasisHandle basis, out ulong vertex_count, out ulong mode_count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_spectral_basis_get_counts(SpectralBasisHandle basis, out ulong vertex_count, out ulong mode_count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_spectral_basis_get_eigenvalues(SpectralBasisHandle basis, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_spectral_basis_get_eigenvalues(SpectralBasisHandle basis, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_spectral_basis_retain(IntPtr basis);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_spectral_basis_retain(IntPtr basis);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_spectral_basis_release(IntPtr basis);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_spectral_basis_release(IntPtr basis);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_spectral_split(SessionHandle session, SpectralBasisHandle basis, MeshHandle face, ulong k, out MeshHandle low, out MeshHandle high, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_spectral_split(SessionHandle session, SpectralBasisHandle basis, MeshHandle face, ulong k, out MeshHandle low, out MeshHandle high, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_spectral_assemble(SessionHandle session, SpectralBasisHandle basis, MeshHandle low, MeshHandle high, ulong k, out MeshHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_spectral_assemble(SessionHandle session, SpectralBasisHandle basis, MeshHandle low, MeshHandle high, ulong k, out MeshHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_spectral_edit(SessionHandle session, SpectralBasisHandle basis, MeshHandle face, IntPtr limits, ulong limit_count, IntPtr gains, out MeshHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_spectral_edit(SessionHandle session, SpectralBasisHandle basis, MeshHandle face, IntPtr limits, ulong limit_count, IntPtr gains, out MeshHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_spectral_mix(SessionHandle session, SpectralBasisHandle basis, MeshHandle first, MeshHandle second, IntPtr limits, ulong limit_count, IntPtr weights, out MeshHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_spectral_mix(SessionHandle session, SpectralBasisHandle basis, MeshHandle first, MeshHandle second, IntPtr limits, ulong limit_count, IntPtr weights, out MeshHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_metric(SessionHandle session, int metric, MeshHandle reference, MeshHandle other, IntPtr value, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_metric(SessionHandle session, int metric, MeshHandle reference, MeshHandle other, IntPtr value, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_representation_train(SessionHandle session, byte[] dataset_path, int kind, int neutral_only, out RepresentationHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_representation_train(SessionHandle session, byte[] dataset_path, int kind, int neutral_only, out RepresentationHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_representation_load(SessionHandle session, byte[] path, out RepresentationHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_representation_load(SessionHandle session, byte[] path, out RepresentationHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_representation_save(SessionHandle session, RepresentationHandle representation, byte[] path, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_representation_save(SessionHandle session, RepresentationHandle representation, byte[] path, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_representation_get_counts(RepresentationHandle representation, out ulong vertex_count, out ulong channel_count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_representation_get_counts(RepresentationHandle representation, out ulong vertex_count, out ulong channel_count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_representation_encode(SessionHandle session, RepresentationHandle representation, MeshHandle face, IntPtr motion, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_representation_encode(SessionHandle session, RepresentationHandle representation, MeshHandle face, IntPtr motion, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_representation_decode(SessionHandle session, RepresentationHandle representation, IntPtr features, ulong row_count, IntPtr motion, out MeshHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_representation_decode(SessionHandle session, RepresentationHandle representation, IntPtr features, ulong row_count, IntPtr motion, out MeshHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_representation_retain(IntPtr representation);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_representation_retain(IntPtr representation);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_representation_release(IntPtr representation);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_representation_release(IntPtr representation);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_hierarchy_build_quadric(SessionHandle session, MeshHandle mesh, uint level_count, double factor, out HierarchyHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_hierarchy_build_quadric(SessionHandle session, MeshHandle mesh, uint level_count, double factor, out HierarchyHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_hierarchy_build_connectivity(SessionHandle session, MeshHandle mesh, uint level_count, uint stride, uint radius, out HierarchyHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_hierarchy_build_connectivity(SessionHandle session, MeshHandle mesh, uint level_count, uint stride, uint radius, out HierarchyHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_hierarchy_load(SessionHandle session, byte[] path, out HierarchyHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_hierarchy_load(SessionHandle session, byte[] path, out HierarchyHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_hierarchy_save(SessionHandle session, HierarchyHandle hierarchy, byte[] path, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_hierarchy_save(SessionHandle session, HierarchyHandle hierarchy, byte[] path, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_hierarchy_get_level_count(HierarchyHandle hierarchy, out ulong level_count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_hierarchy_get_level_count(HierarchyHandle hierarchy, out ulong level_count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_hierarchy_get_level(HierarchyHandle hierarchy, uint level, out MeshHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_hierarchy_get_level(HierarchyHandle hierarchy, uint level, out MeshHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_hierarchy_apply(HierarchyHandle hierarchy, uint level, int direction, IntPtr values, ulong row_count, ulong channel_count, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_hierarchy_apply(HierarchyHandle hierarchy, uint level, int direction, IntPtr values, ulong row_count, ulong channel_count, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_hierarchy_retain(IntPtr hierarchy);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_hierarchy_retain(IntPtr hierarchy);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_hierarchy_release(IntPtr hierarchy);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_hierarchy_release(IntPtr hierarchy);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_transfer_expression(SessionHandle session, MeshHandle source_neutral, MeshHandle source_expression, MeshHandle target_neutral, out MeshHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_transfer_expression(SessionHandle session, MeshHandle source_neutral, MeshHandle source_expression, MeshHandle target_neutral, out MeshHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_blendshape_options_init(ref BlendshapeOptions options, UIntPtr struct_size);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_blendshape_options_init(ref BlendshapeOptions options, UIntPtr struct_size);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_blendshape_model_train(SessionHandle session, byte[] dataset_path, byte[] expression, ref BlendshapeOptions options, out BlendshapeModelHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_blendshape_model_train(SessionHandle session, byte[] dataset_path, byte[] expression, ref BlendshapeOptions options, out BlendshapeModelHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_blendshape_model_load(SessionHandle session, byte[] path, out BlendshapeModelHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_blendshape_model_load(SessionHandle session, byte[] path, out BlendshapeModelHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_blendshape_model_save(SessionHandle session, BlendshapeModelHandle model, byte[] path, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_blendshape_model_save(SessionHandle session, BlendshapeModelHandle model, byte[] path, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_blendshape_model_get_mean(BlendshapeModelHandle model, out MeshHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_blendshape_model_get_mean(BlendshapeModelHandle model, out MeshHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_blendshape_model_predict(SessionHandle session, BlendshapeModelHandle model, IntPtr basis, ulong k, MeshHandle neutral, out MeshHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_blendshape_model_predict(SessionHandle session, BlendshapeModelHandle model, IntPtr basis, ulong k, MeshHandle neutral, out MeshHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_blendshape_model_search(SessionHandle session, BlendshapeModelHandle model, SpectralBasisHandle basis, byte[] dataset_path, byte[] expression, IntPtr candidates, uint candidate_count, ref BlendshapeOptions options, ref BandChoice choices, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_blendshape_model_search(SessionHandle session, BlendshapeModelHandle model, SpectralBasisHandle basis, byte[] dataset_path, byte[] expression, IntPtr candidates, uint candidate_count, ref BlendshapeOptions options, ref BandChoice choices, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_blendshape_model_retain(IntPtr model);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_blendshape_model_retain(IntPtr model);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_blendshape_model_release(IntPtr model);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_blendshape_model_release(IntPtr model);
 #endif
 
 #if NET7_0_OR_GREATER

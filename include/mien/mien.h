@@ -5,16 +5,19 @@
 #ifndef MIEN_MIEN_H
 #define MIEN_MIEN_H
 
+#include "blendshapes.h"
 #include "config.h"
 #include "dataset.h"
 #include "error.h"
 #include "evaluation.h"
 #include "expression.h"
+#include "hierarchy.h"
 #include "measure.h"
 #include "mesh.h"
 #include "model.h"
 #include "neutralization.h"
 #include "registration.h"
+#include "representation.h"
 #include "score.h"
 #include "series.h"
 #include "session.h"

@@ -42,6 +42,17 @@ MIEN_DTYPE_F64 = 2
 MIEN_DTYPE_I32 = 3
 MIEN_DTYPE_U32 = 4
 MIEN_DTYPE_U8 = 5
+MIEN_MASS_MIXED_VORONOI = 0
+MIEN_MASS_BARYCENTRIC = 1
+MIEN_MASS_NONE = 2
+MIEN_COTANGENTS_INTRINSIC_DELAUNAY = 0
+MIEN_COTANGENTS_CLAMP = 1
+MIEN_COTANGENTS_KEEP = 2
+MIEN_METRIC_L1 = 1
+MIEN_METRIC_L2 = 2
+MIEN_METRIC_HAUSDORFF = 3
+MIEN_METRIC_DAME = 4
+MIEN_METRIC_FMPD = 5
 MIEN_KERNEL_NONE = 0
 MIEN_KERNEL_EUCLIDEAN_SE = 1
 MIEN_KERNEL_GEODESIC_SE = 2
@@ -77,6 +88,8 @@ MIEN_FIT_ALTERNATING = 3
 MIEN_POSE_AUTO = 0
 MIEN_POSE_KEEP = 1
 MIEN_POSE_RIGID = 2
+MIEN_MAP_DOWN = 1
+MIEN_MAP_UP = 2
 MIEN_ZONE_WHOLE = -1
 MIEN_ZONE_REST = -2
 MIEN_FIELD_SIGNED_DISTANCE_MM = 1
@@ -90,27 +103,14 @@ MIEN_FIELD_CURVATURE_GAUSSIAN = 8
 MIEN_CARRY_CLOSEST_POINT = 1
 MIEN_CARRY_DIRECTION = 2
 MIEN_CARRY_VERTEX_NORMAL = 3
-MIEN_PLS_NIPALS = 0
-MIEN_PLS_SIMPLS = 1
-MIEN_MASS_MIXED_VORONOI = 0
-MIEN_MASS_BARYCENTRIC = 1
-MIEN_MASS_NONE = 2
-MIEN_COTANGENTS_INTRINSIC_DELAUNAY = 0
-MIEN_COTANGENTS_CLAMP = 1
-MIEN_COTANGENTS_KEEP = 2
-MIEN_METRIC_L1 = 1
-MIEN_METRIC_L2 = 2
-MIEN_METRIC_HAUSDORFF = 3
-MIEN_METRIC_DAME = 4
-MIEN_METRIC_FMPD = 5
 MIEN_FEATURES_EUCLIDEAN = 1
 MIEN_FEATURES_EUCLIDEAN_STANDARDISED = 2
 MIEN_FEATURES_EUCLIDEAN_NORMALISED = 3
 MIEN_FEATURES_DEFORMATION = 4
 MIEN_FEATURES_DEFORMATION_NORMALISED = 5
 MIEN_FEATURES_DEFORMATION_STANDARDISED = 6
-MIEN_MAP_DOWN = 1
-MIEN_MAP_UP = 2
+MIEN_PLS_NIPALS = 0
+MIEN_PLS_SIMPLS = 1
 MIEN_TRAIN_JPCA = 0
 MIEN_TRAIN_QOJPCA = 1
 MIEN_ABI_VERSION = 0
@@ -161,6 +161,40 @@ class MeshArrays(ctypes.Structure):
         ("triangles", ctypes.c_void_p),
         ("triangle_count", ctypes.c_uint64),
         ("colors", ctypes.c_void_p),
+    ]
+
+
+class SpectralBasisOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("mode_count", ctypes.c_uint32),
+        ("mass", ctypes.c_int32),
+        ("cotangents", ctypes.c_int32),
+        ("progress", ProgressFn),
+        ("progress_user", ctypes.c_void_p),
+        ("cancel", ctypes.c_void_p),
+    ]
+
+
+class BlendshapeOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("reserved", ctypes.c_uint32),
+        ("ridge", ctypes.c_double),
+        ("progress", ProgressFn),
+        ("progress_user", ctypes.c_void_p),
+        ("cancel", ctypes.c_void_p),
+    ]
+
+
+class BandChoice(ctypes.Structure):
+    _fields_ = [
+        ("k", ctypes.c_uint64),
+        ("l1_mm", ctypes.c_double),
+        ("dame", ctypes.c_double),
+        ("fmpd", ctypes.c_double),
+        ("on_front", ctypes.c_int32),
+        ("chosen", ctypes.c_int32),
     ]
 
 
@@ -456,40 +490,6 @@ class SeriesOptions(ctypes.Structure):
     ]
 
 
-class SpectralBasisOptions(ctypes.Structure):
-    _fields_ = [
-        ("struct_size", ctypes.c_uint32),
-        ("mode_count", ctypes.c_uint32),
-        ("mass", ctypes.c_int32),
-        ("cotangents", ctypes.c_int32),
-        ("progress", ProgressFn),
-        ("progress_user", ctypes.c_void_p),
-        ("cancel", ctypes.c_void_p),
-    ]
-
-
-class BlendshapeOptions(ctypes.Structure):
-    _fields_ = [
-        ("struct_size", ctypes.c_uint32),
-        ("reserved", ctypes.c_uint32),
-        ("ridge", ctypes.c_double),
-        ("progress", ProgressFn),
-        ("progress_user", ctypes.c_void_p),
-        ("cancel", ctypes.c_void_p),
-    ]
-
-
-class BandChoice(ctypes.Structure):
-    _fields_ = [
-        ("k", ctypes.c_uint64),
-        ("l1_mm", ctypes.c_double),
-        ("dame", ctypes.c_double),
-        ("fmpd", ctypes.c_double),
-        ("on_front", ctypes.c_int32),
-        ("chosen", ctypes.c_int32),
-    ]
-
-
 class TrainOptions(ctypes.Structure):
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
@@ -562,6 +562,29 @@ SIGNATURES = {
     "mien_mesh_positions_view": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
     "mien_mesh_retain": (None, [ctypes.c_void_p]),
     "mien_mesh_release": (None, [ctypes.c_void_p]),
+    "mien_spectral_basis_options_init": (None, [ctypes.POINTER(SpectralBasisOptions), ctypes.c_size_t]),
+    "mien_spectral_basis_build": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(SpectralBasisOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_spectral_basis_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_spectral_basis_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
+    "mien_spectral_basis_get_counts": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_spectral_basis_get_eigenvalues": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_spectral_basis_retain": (None, [ctypes.c_void_p]),
+    "mien_spectral_basis_release": (None, [ctypes.c_void_p]),
+    "mien_spectral_split": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_spectral_assemble": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_spectral_edit": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_spectral_mix": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_metric": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_transfer_expression": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_blendshape_options_init": (None, [ctypes.POINTER(BlendshapeOptions), ctypes.c_size_t]),
+    "mien_blendshape_model_train": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.c_char_p, ctypes.POINTER(BlendshapeOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_blendshape_model_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_blendshape_model_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
+    "mien_blendshape_model_get_mean": (ctypes.c_int32, [ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_blendshape_model_predict": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_blendshape_model_search": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.c_char_p, ctypes.c_void_p, ctypes.c_uint32, ctypes.POINTER(BlendshapeOptions), ctypes.POINTER(BandChoice), ctypes.POINTER(Error)]),
+    "mien_blendshape_model_retain": (None, [ctypes.c_void_p]),
+    "mien_blendshape_model_release": (None, [ctypes.c_void_p]),
     "mien_dataset_writer_create": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ctypes.c_char_p), ctypes.c_uint32, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_dataset_writer_add": (ctypes.c_int32, [ctypes.c_void_p, ctypes.POINTER(ArrayView), ctypes.c_int32, ctypes.c_int32, ctypes.POINTER(Error)]),
     "mien_dataset_writer_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
@@ -620,6 +643,15 @@ SIGNATURES = {
     "mien_evaluate_neutralization": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(EvaluateOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_evaluation_get_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
     "mien_evaluation_release": (None, [ctypes.c_void_p]),
+    "mien_hierarchy_build_quadric": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint32, ctypes.c_double, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_hierarchy_build_connectivity": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint32, ctypes.c_uint32, ctypes.c_uint32, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_hierarchy_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_hierarchy_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
+    "mien_hierarchy_get_level_count": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_hierarchy_get_level": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_uint32, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_hierarchy_apply": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_uint32, ctypes.c_int32, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_hierarchy_retain": (None, [ctypes.c_void_p]),
+    "mien_hierarchy_release": (None, [ctypes.c_void_p]),
     "mien_measure_options_init": (None, [ctypes.POINTER(MeasureOptions), ctypes.c_size_t]),
     "mien_measure_volume": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(MeasureOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_measure_distance": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(MeasureOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
@@ -636,6 +668,14 @@ SIGNATURES = {
     "mien_measurement_get_field": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
     "mien_measurement_get_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
     "mien_measurement_release": (None, [ctypes.c_void_p]),
+    "mien_representation_train": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.c_int32, ctypes.c_int32, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_representation_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_representation_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
+    "mien_representation_get_counts": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_representation_encode": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_representation_decode": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_representation_retain": (None, [ctypes.c_void_p]),
+    "mien_representation_release": (None, [ctypes.c_void_p]),
     "mien_score_options_init": (None, [ctypes.POINTER(ScoreOptions), ctypes.c_size_t]),
     "mien_score_model_train": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.POINTER(ScoreOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_score_model_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
@@ -654,46 +694,6 @@ SIGNATURES = {
     "mien_series_get_mesh": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_series_get_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
     "mien_series_release": (None, [ctypes.c_void_p]),
-    "mien_spectral_basis_options_init": (None, [ctypes.POINTER(SpectralBasisOptions), ctypes.c_size_t]),
-    "mien_spectral_basis_build": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(SpectralBasisOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_spectral_basis_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_spectral_basis_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
-    "mien_spectral_basis_get_counts": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_spectral_basis_get_eigenvalues": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_spectral_basis_retain": (None, [ctypes.c_void_p]),
-    "mien_spectral_basis_release": (None, [ctypes.c_void_p]),
-    "mien_spectral_split": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_spectral_assemble": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_spectral_edit": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_spectral_mix": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_metric": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_representation_train": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.c_int32, ctypes.c_int32, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_representation_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_representation_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
-    "mien_representation_get_counts": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_representation_encode": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_representation_decode": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_representation_retain": (None, [ctypes.c_void_p]),
-    "mien_representation_release": (None, [ctypes.c_void_p]),
-    "mien_hierarchy_build_quadric": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint32, ctypes.c_double, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_hierarchy_build_connectivity": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint32, ctypes.c_uint32, ctypes.c_uint32, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_hierarchy_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_hierarchy_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
-    "mien_hierarchy_get_level_count": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_hierarchy_get_level": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_uint32, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_hierarchy_apply": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_uint32, ctypes.c_int32, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_hierarchy_retain": (None, [ctypes.c_void_p]),
-    "mien_hierarchy_release": (None, [ctypes.c_void_p]),
-    "mien_transfer_expression": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_blendshape_options_init": (None, [ctypes.POINTER(BlendshapeOptions), ctypes.c_size_t]),
-    "mien_blendshape_model_train": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.c_char_p, ctypes.POINTER(BlendshapeOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_blendshape_model_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_blendshape_model_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
-    "mien_blendshape_model_get_mean": (ctypes.c_int32, [ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_blendshape_model_predict": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_blendshape_model_search": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.c_char_p, ctypes.c_void_p, ctypes.c_uint32, ctypes.POINTER(BlendshapeOptions), ctypes.POINTER(BandChoice), ctypes.POINTER(Error)]),
-    "mien_blendshape_model_retain": (None, [ctypes.c_void_p]),
-    "mien_blendshape_model_release": (None, [ctypes.c_void_p]),
     "mien_train_options_init": (None, [ctypes.POINTER(TrainOptions), ctypes.c_size_t]),
     "mien_expression_model_train": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(TrainOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_shard_options_init": (None, [ctypes.POINTER(ShardOptions), ctypes.c_size_t]),
