@@ -40,6 +40,9 @@ std::vector<std::pair<std::string, std::uint32_t>> read_landmark_vertices(const 
 /// Zone files {"zones": {name: [vertex, ...]}}.
 std::vector<std::pair<std::string, std::vector<std::uint32_t>>> read_zones(const std::string& path);
 
+/// One weight per vertex: a plain list, or the list under a key, as `mien register --json` writes "weight".
+std::vector<double> read_weights(const std::string& path, const char* key);
+
 /// Vertices of some zones of a zone file, together; `names` are separated by commas.
 std::vector<std::uint32_t> zone_vertices(const std::string& path, const std::string& names);
 /// A zone file is made for the whole template; a model may cover its first vertices only.

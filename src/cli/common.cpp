@@ -112,6 +112,18 @@ std::vector<std::pair<std::string, std::uint32_t>> read_landmark_vertices(const 
     return vertices;
 }
 
+std::vector<double> read_weights(const std::string& path, const char* key) {
+    const nlohmann::json file = read_json(path);
+    const nlohmann::json& list = file.is_object() && file.contains(key) ? file[key] : file;
+    if (!list.is_array()) throw std::runtime_error(path + ": expected [w, ...] or {\"" + key + "\": [w, ...]}");
+    std::vector<double> weights;
+    for (const nlohmann::json& value : list) {
+        if (!value.is_number()) throw std::runtime_error(path + ": " + value.dump() + " is not a weight");
+        weights.push_back(value.get<double>());
+    }
+    return weights;
+}
+
 std::vector<std::pair<std::string, std::vector<std::uint32_t>>> read_zones(const std::string& path) {
     const nlohmann::json file = read_json(path);
     std::vector<std::pair<std::string, std::vector<std::uint32_t>>> zones;

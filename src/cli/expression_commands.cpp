@@ -36,19 +36,6 @@ struct NeutralizeSettings {
     double max_distance = 0;
 };
 
-/// {"weight": [...]} as `mien register --json` writes it, or a plain list: one weight per vertex.
-std::vector<double> read_weights(const std::string& path) {
-    const nlohmann::json file = read_json(path);
-    const nlohmann::json& list = file.is_object() && file.contains("weight") ? file["weight"] : file;
-    if (!list.is_array()) throw std::runtime_error(path + ": expected [w, ...] or {\"weight\": [w, ...]}");
-    std::vector<double> weights;
-    for (const nlohmann::json& value : list) {
-        if (!value.is_number()) throw std::runtime_error(path + ": " + value.dump() + " is not a weight");
-        weights.push_back(value.get<double>());
-    }
-    return weights;
-}
-
 /// Several scans of one person: a neutral face of each, and the shared one.
 void run_series(const NeutralizeSettings& settings) {
     if (!settings.scan.empty() || !settings.uncertainty_out.empty())
@@ -68,9 +55,9 @@ void run_series(const NeutralizeSettings& settings) {
         if (settings.weights.empty() || settings.with_weights.size() != settings.with.size())
             throw std::runtime_error("in a series every face has weights or none: give --weights, and --with-weights "
                                      "for each face of --with");
-        weights = read_weights(settings.weights);
+        weights = read_weights(settings.weights, "weight");
         for (const std::string& path : settings.with_weights) {
-            const std::vector<double> more = read_weights(path);
+            const std::vector<double> more = read_weights(path, "weight");
             weights.insert(weights.end(), more.begin(), more.end());
         }
         options.set_weights(weights);
@@ -114,7 +101,7 @@ void run_neutralize(const NeutralizeSettings& settings) {
     options.uncertainty = has_prior;
     std::vector<double> weights;
     if (!settings.weights.empty()) {
-        weights = read_weights(settings.weights);
+        weights = read_weights(settings.weights, "weight");
         options.set_weights(weights);
     }
     const Neutralization result(session, model, face, options, progress_bar());

@@ -19,18 +19,6 @@ int choice(const std::string& value, const std::vector<std::string>& names) {
     return static_cast<int>(std::find(names.begin(), names.end(), value) - names.begin());
 }
 
-std::vector<double> read_weights(const std::string& path) {
-    const nlohmann::json file = read_json(path);
-    const nlohmann::json& list = file.is_object() && file.contains("weights") ? file["weights"] : file;
-    if (!list.is_array()) throw std::runtime_error(path + ": expected [w, ...] or {\"weights\": [w, ...]}");
-    std::vector<double> weights;
-    for (const nlohmann::json& value : list) {
-        if (!value.is_number()) throw std::runtime_error(path + ": " + value.dump() + " is not a weight");
-        weights.push_back(value.get<double>());
-    }
-    return weights;
-}
-
 /// The fitted face coloured by its distance to the scan.
 void write_heatmap(const std::string& path, const Registration& fit) {
     RenderOptions options;
@@ -53,7 +41,7 @@ void run_register(const RegisterArguments& arguments) {
     if (arguments.weights == "skin")
         options.c.skin_weights = 1;
     else if (arguments.weights != "none")
-        options.scan_weights = read_weights(arguments.weights);
+        options.scan_weights = read_weights(arguments.weights, "weights");
     options.c.growth = choice(arguments.growth, {"constant", "linear", "exponential", "cubic"});
     options.c.units = choice(arguments.units, {"detect", "mm", "refuse"});
     options.c.start = choice(arguments.start, {"automatic", "landmarks", "pose", "search"});

@@ -23,8 +23,8 @@ void check_options(const FitOptions& options) {
 FitResult alternate(const ExpressionModel& model, const Matrix& gram, const Vector& projection,
                     const FitOptions& options) {
     const Index p = model.num_identity_modes(), q = model.num_expression_modes();
-    const Eigen::LDLT<Matrix> identity(gram.topLeftCorner(p, p));
-    const Eigen::LDLT<Matrix> expression(gram.bottomRightCorner(q, q));
+    const Eigen::LDLT<Matrix> identity(Matrix(gram.topLeftCorner(p, p)));
+    const Eigen::LDLT<Matrix> expression(Matrix(gram.bottomRightCorner(q, q)));
     if (identity.info() != Eigen::Success || expression.info() != Eigen::Success)
         fail(Status::no_solution, "too little of the face is visible for the alternating fit");
     const Matrix cross = gram.topRightCorner(p, q);

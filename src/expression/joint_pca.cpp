@@ -22,7 +22,7 @@ Matrix gram_of_rows(const Context& context, const Matrix& columns) {
 double largest_angle(const Matrix& a, const Matrix& b) {
     if (a.cols() != b.cols()) return 1.5707963267948966;
     const Matrix outside = b - a * (a.transpose() * b);
-    const Eigen::SelfAdjointEigenSolver<Matrix> eigen(outside.transpose() * outside,
+    const Eigen::SelfAdjointEigenSolver<Matrix> eigen(Matrix(outside.transpose() * outside),
                                                       Eigen::EigenvaluesOnly);
     return std::asin(std::min(1.0, std::sqrt(std::max(0.0, eigen.eigenvalues().maxCoeff()))));
 }

@@ -152,15 +152,21 @@ Local fit_vertex(const PointsRef& vertices, const std::vector<std::uint32_t>& ne
     const double a = fitted[3] / radius, b = fitted[4] / radius, c = fitted[5] / radius;
     // Graph of h over the tangent plane: first form (1 + p^2, pq, 1 + q^2), second (a, b, c) / s.
     const double s = std::sqrt(1 + p * p + q * q);
-    Eigen::Matrix2d first, second;
-    first << 1 + p * p, p * q, p * q, 1 + q * q;
-    second << a, b, b, c;
-    second *= -1.0 / s;  // bulging outwards is positive
-    Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d> solver(second, first);
+    // second t = curvature first t, by the Cholesky factor (l, m; 0, n) of the first form: an ordinary eigenproblem
+    // of L^-1 second L^-T. Bulging outwards is positive.
+    const double l = std::sqrt(1 + p * p), per_l = 1 / l, m = p * q / l;
+    const double per_n = 1 / std::sqrt(1 + q * q - m * m);
+    const double uu = a * (-1.0 / s) * per_l, uv = b * (-1.0 / s) * per_l;
+    const double vu = (b * (-1.0 / s) - uu * m) * per_n, vv = (c * (-1.0 / s) - uv * m) * per_n;
+    Eigen::Matrix2d form;
+    form << uu * per_l, 0, vu * per_l, (vv - vu * per_l * m) * per_n;  // the lower half is read
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(form);
     if (solver.info() != Eigen::Success) return result;
     result.minimal = solver.eigenvalues()[0];
     result.maximal = solver.eigenvalues()[1];
-    const Eigen::Vector2d t = solver.eigenvectors().col(1);
+    Eigen::Vector2d t = solver.eigenvectors().col(1);
+    t[1] *= per_n;
+    t[0] = (t[0] - m * t[1]) * per_l;
     const Vector3 tangent_u = frame.x + p * frame.z, tangent_v = frame.y + q * frame.z;
     Vector3 direction = (t[0] * tangent_u + t[1] * tangent_v).normalized();
     Index largest;

@@ -70,7 +70,7 @@ class BlockLanczos {
     /// Ritz pairs of all but the newest block.
     void ritz(Vector& values, Matrix& vectors, Vector& residuals) const {
         const Index m = size_ - kSolveBlock;
-        Eigen::SelfAdjointEigenSolver<Matrix> solver(projected_.topLeftCorner(m, m));
+        Eigen::SelfAdjointEigenSolver<Matrix> solver(Matrix(projected_.topLeftCorner(m, m)));
         if (solver.info() != Eigen::Success)
             fail(Status::no_solution, "the projected eigenproblem near %.6g did not converge",
                  factor_.shift());

@@ -12,7 +12,7 @@ namespace {
 // The unit vector q that maximises |S q|: an m x m eigenproblem, m being small.
 Vector dominant_right_vector(const Matrix& s) {
     if (s.cols() == 1) return Vector::Ones(1);
-    Eigen::SelfAdjointEigenSolver<Matrix> solver(s.transpose() * s);
+    Eigen::SelfAdjointEigenSolver<Matrix> solver(Matrix(s.transpose() * s));
     if (solver.info() != Eigen::Success)
         fail(Status::no_solution, "the eigenproblem of %lld responses did not converge",
              static_cast<long long>(s.cols()));

@@ -173,7 +173,7 @@ PinEvidence weigh_pins(const DeformationModel& model, const std::vector<Pin>& pi
     const Matrix others = whole.rightCols(n - prior.moves.cols());
     const Matrix covariance =
         kernel_amplitude * kernel_amplitude * prior.kernel + pca_amplitude * pca_amplitude * prior.vectors;
-    const Eigen::SelfAdjointEigenSolver<Matrix> eigen(others.transpose() * covariance * others);
+    const Eigen::SelfAdjointEigenSolver<Matrix> eigen(Matrix(others.transpose() * covariance * others));
     if (eigen.info() != Eigen::Success) return best;
     const Vector seen = eigen.eigenvectors().transpose() * (others.transpose() * prior.displacement);
     double sigma2 = 0;

@@ -45,6 +45,7 @@ if(Python3_FOUND)
         abuse/good_values.cpp ${tables})
     target_include_directories(test_abi_abuse PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/abuse)
     target_link_libraries(test_abi_abuse PRIVATE mien_flags mien::mien)
+    mien_compile_fast(test_abi_abuse)
     add_test(NAME abi_abuse COMMAND test_abi_abuse WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/abuse)
 endif()
 

@@ -1,0 +1,3 @@
+#include "base/decompositions.hpp"
+
+MIEN_DECOMPOSITIONS()
