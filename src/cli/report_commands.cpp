@@ -146,7 +146,6 @@ void run_report(const ReportSettings& settings) {
         const auto& vertices = zone_called(name).vertices;
         treated.insert(treated.end(), vertices.begin(), vertices.end());
     }
-    const std::vector<std::uint32_t> stable = stable_vertices(settings, all_zones, treated);
     if (settings.shown.empty()) zones = all_zones;
     for (const std::string& name : settings.shown) zones.push_back(zone_called(name));
 
@@ -163,6 +162,13 @@ void run_report(const ReportSettings& settings) {
         for (const Capture& capture : visit.captures)
             fits.push_back(fit_capture(session, settings, model.get(), capture));
     }
+    // A treatment does not end where its zone does: what lies beside it is no witness either.
+    if (!treated.empty()) treated = with_margin(fits[0].mesh, treated, settings.margin);
+    if (settings.margin > 0)
+        for (const std::string& name : settings.treated)
+            zones.push_back({name + " and " + short_number(settings.margin) + " mm around",
+                             with_margin(fits[0].mesh, zone_called(name).vertices, settings.margin)});
+    const std::vector<std::uint32_t> stable = stable_vertices(settings, all_zones, treated);
     std::unique_ptr<Visits> neutral;
     if (expressions) neutral = neutralize_all(session, *expressions, treated, fits);
     // The same visit captured twice has no change in it: blanks, both ways.
@@ -242,7 +248,7 @@ void run_report(const ReportSettings& settings) {
                       "open widens the intervals: the fit's posterior and " + short_number(100 * settings.share) +
                       " % of the volume that an expression accounted for."
                     : "Expressions were not removed: the intervals hold for faces that are held alike.",
-        std::string("Faces were aligned on: ") + (stable_is_untreated(settings) ? std::string("all zones but the treated ones") : settings.stable.empty() ? std::string(kStable) : settings.stable) + ".",
+        std::string("Faces were aligned on: ") + (stable_is_untreated(settings) ? "all zones but the treated ones and " + short_number(settings.margin) + " mm around them" : settings.stable.empty() ? std::string(kStable) : settings.stable) + ".",
         "Volumes are exact between corresponding triangles; zones share their edge triangles linearly.",
         "Intervals combine the deviations of both fits, alike over " + short_number(settings.correlation) +
             " mm, the alignment's and a common bias of " + short_number(settings.bias) + " mm.",
@@ -271,6 +277,9 @@ void add_report_commands(CLI::App& app) {
     command->add_option("--show", settings->shown, "zones to report; default: all")->delimiter(',');
     command->add_option("--treated", settings->treated, "zones where the person may have changed: no witness of the expression")
         ->delimiter(',');
+    command->add_option("--margin", settings->margin, "mm around the treated zones that are no witness either, and are reported with them: treatments spread")
+        ->check(CLI::Range(0.0, 100.0))
+        ->capture_default_str();
     command->add_option("--stable", settings->stable, "zones to align on; default: forehead,nose, and with --expressions and --treated all that was not treated");
     command->add_option("--correlation", settings->correlation, "length over which errors go together, mm")->capture_default_str();
     command->add_option("--bias", settings->bias, "error common to all vertices, mm")->capture_default_str();

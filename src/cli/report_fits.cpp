@@ -114,6 +114,22 @@ Fitted fit_capture(const Session& session, const ReportSettings& settings, const
     return fitted;
 }
 
+std::vector<std::uint32_t> with_margin(const Mesh& face, const std::vector<std::uint32_t>& vertices, double margin_mm) {
+    const std::vector<Position> places = face.positions();
+    for (const std::uint32_t v : vertices)
+        if (v >= places.size())
+            throw std::runtime_error("a treated zone names vertex " + std::to_string(v) + " of " + std::to_string(places.size()));
+    std::vector<std::uint32_t> near;
+    for (std::size_t v = 0; v < places.size(); ++v)
+        for (const std::uint32_t of : vertices) {
+            const double x = places[v][0] - places[of][0], y = places[v][1] - places[of][1], z = places[v][2] - places[of][2];
+            if (x * x + y * y + z * z > margin_mm * margin_mm) continue;
+            near.push_back(static_cast<std::uint32_t>(v));
+            break;
+        }
+    return near;
+}
+
 std::unique_ptr<Visits> neutralize_all(const Session& session, const ExpressionModel& expressions,
                                        const std::vector<std::uint32_t>& treated, std::vector<Fitted>& fits) {
     std::vector<Mesh> faces;

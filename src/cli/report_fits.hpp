@@ -15,7 +15,7 @@ struct ReportSettings {
     std::string visits, model, expressions, zones, stable, out, title = "Volume over time";
     std::vector<std::string> shown, treated;
     bool fitted = false;
-    double sd = 0.08, correlation = 4, bias = 0.01, share = 0.04, posterior = 1;
+    double sd = 0.08, correlation = 4, bias = 0.01, share = 0.04, posterior = 1, margin = 10;
 };
 
 struct Capture {
@@ -40,6 +40,9 @@ struct Fitted {
 
 /// model: may be null when settings say that the meshes are fitted already.
 Fitted fit_capture(const Session& session, const ReportSettings& settings, const Model* model, const Capture& capture);
+
+/// The vertices within `margin_mm` of given ones on a face, those among them; ascending.
+std::vector<std::uint32_t> with_margin(const Mesh& face, const std::vector<std::uint32_t>& vertices, double margin_mm);
 
 /// Takes the expressions off all captures together; the faces become neutral ones.
 std::unique_ptr<Visits> neutralize_all(const Session& session, const ExpressionModel& expressions,

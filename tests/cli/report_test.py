@@ -42,6 +42,13 @@ class Report(unittest.TestCase):
         self.assertGreater(mouth["absolute_ml"], 1.0)
         self.assertLess(forehead["absolute_ml"], 0.2)
 
+    def test_a_treatment_is_also_told_with_what_lies_around_its_zone(self):
+        # The grin leaves the mouth's zone: the place with its margin has the zone's change and more.
+        mouth, _, wider = self.report("--treated", "mouth", "--margin", "10")[2]["zones"]
+        self.assertEqual(wider["name"], "mouth and 10 mm around")
+        self.assertGreater(wider["absolute_ml"], mouth["absolute_ml"])
+        self.assertEqual(len(self.report("--treated", "mouth", "--margin", "0")[2]["zones"]), 2)
+
     def test_more_doubt_widens_the_intervals(self):
         narrow = self.report("--sd", "0.05")[1]["zones"][0]
         wide = self.report("--sd", "0.5")[1]["zones"][0]
