@@ -15,7 +15,7 @@ struct ReportSettings {
     std::string visits, model, expressions, zones, stable, out, title = "Volume over time";
     std::vector<std::string> shown, treated;
     bool fitted = false;
-    double sd = 0.08, correlation = 4, bias = 0.01, share = 0.04, posterior = 1, margin = 10;
+    double sd = 0.08, correlation = 4, bias = 0.01, share = 0.06, posterior = 1, margin = 10;
 };
 
 struct Capture {
