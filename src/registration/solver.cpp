@@ -42,7 +42,7 @@ class FitSystem {
         field_.resize(current.rows(), 3);
         set_ridge();
         if (layout_.r > 0) factor_kernel();
-        if (layout_.p + layout_.g > 0) factor_vectors();
+        if (layout_.r == 0 && layout_.p + layout_.g > 0) factor_vectors();
     }
 
     double radius() const { return radius_; }
@@ -85,7 +85,10 @@ class FitSystem {
         if (r > 0)
             for (int axis = 0; axis < 3; ++axis)
                 dense::solve_factored(kernel_factor_[factor_of_[axis]], Eigen::Map<MatrixF>(out.data() + axis * r, r, 1));
-        if (q > 0) dense::solve_factored(vector_factor_, Eigen::Map<MatrixF>(out.data() + 3 * r, q, 1));
+        if (q == 0) return;
+        if (coupled()) out.tail(q).noalias() -= coupling_.transpose() * out.head(3 * r);
+        dense::solve_factored(vector_factor_, Eigen::Map<MatrixF>(out.data() + 3 * r, q, 1));
+        if (coupled()) out.head(3 * r).noalias() -= carried_ * out.tail(q);
     }
 
   private:
@@ -147,26 +150,35 @@ class FitSystem {
 
     void factor_kernel() {
         const Index r = layout_.r, m = field_.rows();
-        if (solver_.gram_.rows() != r || solver_.gram_age_ >= kGramLife || !(solver_.gram_weight_ > 0)) {
-            // Every second or third row stands for all: this is a preconditioner only.
+        if (solver_.gram_.rows() != r || (coupled() && solver_.coupling_.cols() != layout_.p + layout_.g) ||
+            solver_.gram_age_ >= kGramLife || !(solver_.gram_weight_ > 0)) {
+            // Every second or third row stands for all, because this is a preconditioner only; rows that weigh
+            // much (landmarks) stand for themselves.
             const Index stride = m > 6000 ? 3 : (m > 2000 ? 2 : 1);
-            const Index sampled = (m + stride - 1) / stride;
+            const float heavy = static_cast<float>(3 * total_weight() / static_cast<double>(m));
+            std::vector<Index> rows;
+            std::vector<float> weights;
+            for (Index i = 0; i < m; ++i) {
+                const float weight = terms_.precision.row(i).head<3>().sum() / 3;
+                if (weight <= heavy && i % stride != 0) continue;
+                rows.push_back(i);
+                weights.push_back(weight > heavy ? weight : static_cast<float>(stride) * weight);
+            }
+            const Index sampled = static_cast<Index>(rows.size());
             const auto basis = solver_.basis();
-            VectorF weight(sampled);
-            for (Index k = 0; k < sampled; ++k)
-                weight[k] = terms_.precision.row(k * stride).head<3>().sum() / 3;
-            const VectorF root = weight.cwiseSqrt();
+            const VectorF root = Eigen::Map<const VectorF>(weights.data(), sampled).cwiseSqrt();
             MatrixF sample(sampled, r);
             parallel_for(context_, static_cast<std::size_t>(r), 16, [&](std::size_t b, std::size_t e) {
                 for (Index j = static_cast<Index>(b); j < static_cast<Index>(e); ++j) {
                     const float* column = basis.data() + j * basis.outerStride();
-                    for (Index k = 0; k < sampled; ++k) sample(k, j) = root[k] * column[k * stride];
+                    for (Index k = 0; k < sampled; ++k) sample(k, j) = root[k] * column[rows[static_cast<std::size_t>(k)]];
                 }
             });
             solver_.gram_.resize(r, r);
             dense::weighted_gram(context_, sample, VectorF(), solver_.gram_);
-            solver_.gram_weight_ = weight.cast<double>().sum();
+            solver_.gram_weight_ = root.cast<double>().squaredNorm();
             solver_.gram_age_ = 0;
+            if (coupled()) couple_vectors(rows, root, sample);
         }
         ++solver_.gram_age_;
         const double scale = solver_.gram_weight_ > 0 ? total_weight() / solver_.gram_weight_ : 0;
@@ -182,6 +194,69 @@ class FitSystem {
                 fail(Status::no_solution, "the normal equations of the fit are not positive definite");
             kernel_factor_[axis] = std::move(system);
         }
+        if (coupled()) factor_coupled(scale);
+    }
+
+    // The kernel's smooth modes are nearly motions, and nearly the trained modes too. Seen apart, a motion and
+    // the modes that undo it look stiff, and together only the prior resists them: conjugate gradients wander
+    // along such pairs for tens of iterations, and in single precision never twice along the same way. So all
+    // are preconditioned together,
+    //
+    //   [K C; C' M]^-1,  K = Phi' W Phi + ridge,  C = Phi' W V,  M = V' W V + ridge,
+    //
+    // V the trained modes and the motions, by the Schur complement S = M - C' K^-1 C.
+    bool coupled() const { return layout_.r > 0 && layout_.p + layout_.g > 0; }
+
+    // Trained modes and small motions of row i, one column each.
+    void vectors_at(Index i, Eigen::Matrix<float, 3, Eigen::Dynamic>& block) const {
+        if (layout_.p > 0) block.leftCols(layout_.p) = solver_.pca().block(3 * i, 0, 3, layout_.p);
+        if (layout_.g > 0) {
+            const Vector3 y = (current_.row(i).transpose() - centre_) / radius_;
+            Eigen::Matrix<double, 3, 7> motion;
+            motion << 0, y[2], -y[1], 1, 0, 0, y[0], -y[2], 0, y[0], 0, 1, 0, y[1], y[1], -y[0], 0, 0, 0, 1, y[2];
+            block.rightCols(layout_.g) = motion.leftCols(layout_.g).cast<float>();
+        }
+    }
+
+    // `sample`: the kernel's modes at `rows`, times the roots of the weights.
+    void couple_vectors(const std::vector<Index>& rows, const VectorF& root, const MatrixF& sample) {
+        const Index q = layout_.p + layout_.g, m = sample.rows(), r = sample.cols();
+        MatrixF vectors(3 * m, q);  // axis by axis, times the roots
+        parallel_for(context_, static_cast<std::size_t>(m), 512, [&](std::size_t b, std::size_t e) {
+            Eigen::Matrix<float, 3, Eigen::Dynamic> block(3, q);
+            for (std::size_t k = b; k < e; ++k) {
+                vectors_at(rows[k], block);
+                const Index i = static_cast<Index>(k);
+                for (int axis = 0; axis < 3; ++axis) vectors.row(axis * m + i) = root[i] * block.row(axis);
+            }
+        });
+        solver_.vector_gram_.resize(q, q);
+        dense::weighted_gram(context_, vectors, VectorF(), solver_.vector_gram_);
+        solver_.coupling_.resize(3 * r, q);
+        for (int axis = 0; axis < 3; ++axis)
+            dense::multiply(context_, 1.0f, sample, dense::Op::transpose, vectors.middleRows(axis * m, m), dense::Op::none,
+                            0.0f, solver_.coupling_.middleRows(axis * r, r));
+    }
+
+    void factor_coupled(double scale) {
+        const Index r = layout_.r, p = layout_.p;
+        coupling_ = static_cast<float>(scale) * solver_.coupling_;
+        carried_ = coupling_;
+        for (int axis = 0; axis < 3; ++axis)
+            dense::solve_factored(kernel_factor_[factor_of_[axis]], carried_.middleRows(axis * r, r));
+        MatrixF gram = static_cast<float>(scale) * solver_.vector_gram_;
+        // Something where nothing is seen at all.
+        gram.diagonal().array() += 1e-6f * std::max(1.0f, gram.diagonal().maxCoeff());
+        gram.diagonal().head(p).array() += static_cast<float>(options_.pca_ridge);
+        MatrixF difference = gram;
+        dense::multiply(context_, -1.0f, coupling_, dense::Op::transpose, carried_, dense::Op::none, 1.0f, difference);
+        // What single precision takes away from the difference is given back, with M itself as the upper bound.
+        for (float more = 1e-4f; more < 2; more *= 10) {
+            vector_factor_ = difference;
+            vector_factor_.diagonal() += more * gram.diagonal();
+            if (dense::factor_spd(vector_factor_)) return;
+        }
+        fail(Status::no_solution, "the normal equations of the fit are not positive definite");
     }
 
     // rho over the prior variance of each mode and axis; models without a preference have ones.
@@ -197,19 +272,12 @@ class FitSystem {
 
     void factor_vectors() {
         const Index q = layout_.p + layout_.g, m = field_.rows();
-        const auto modes = solver_.pca();
         MatrixF stacked(3 * m, q);
         parallel_for(context_, static_cast<std::size_t>(m), 512, [&](std::size_t b, std::size_t e) {
             Eigen::Matrix<float, 3, Eigen::Dynamic> block(3, q);
             for (std::size_t k = b; k < e; ++k) {
                 const Index i = static_cast<Index>(k);
-                if (layout_.p > 0) block.leftCols(layout_.p) = modes.block(3 * i, 0, 3, layout_.p);
-                if (layout_.g > 0) {
-                    const Vector3 y = (current_.row(i).transpose() - centre_) / radius_;
-                    Eigen::Matrix<double, 3, 7> motion;
-                    motion << 0, y[2], -y[1], 1, 0, 0, y[0], -y[2], 0, y[0], 0, 1, 0, y[1], y[1], -y[0], 0, 0, 0, 1, y[2];
-                    block.rightCols(layout_.g) = motion.leftCols(layout_.g).cast<float>();
-                }
+                vectors_at(i, block);
                 // A square root of H (semidefinite): its eigenvectors, scaled.
                 Eigen::SelfAdjointEigenSolver<Matrix3> eigen;
                 eigen.computeDirect(unpack(terms_.precision.row(i)));
@@ -240,7 +308,8 @@ class FitSystem {
     Points flat_;
     VectorF kernel_ridge_;  // 3 r
     int factor_of_[3] = {0, 1, 2};
-    MatrixF kernel_factor_[3], vector_factor_;  // Cholesky, lower triangles
+    MatrixF kernel_factor_[3], vector_factor_;  // Cholesky, lower triangles, of K and S
+    MatrixF coupling_, carried_;                // C and K^-1 C, 3 r x (p + g)
 };
 
 void FitTerms::reset(Index num_rows) {

@@ -78,6 +78,8 @@ class FitSolver {
     Eigen::MatrixXf packed_basis_, packed_pca_;
     // Phi' W Phi of an earlier step, for preconditioning; W had the sum gram_weight_.
     Eigen::MatrixXf gram_;
+    // Of the same step: Phi' W V and V' W V, V the trained modes and the motions.
+    Eigen::MatrixXf coupling_, vector_gram_;
     double gram_weight_ = 0;
     int gram_age_ = 0;
     int iterations_ = 0;
