@@ -1,5 +1,6 @@
 #include "registration/correspondence.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/parallel.hpp"
@@ -20,6 +21,18 @@ double robust_weight(RobustWeight kind, double residual, double scale) {
     return 1;
 }
 
+namespace {
+
+constexpr double kOffBorder = 0.2;  // share of the way from the border to the next row of scan vertices
+
+// 0 below 0, 1 above 1, smooth between.
+double fade(double x) {
+    x = std::min(1.0, std::max(0.0, x));
+    return x * x * (3 - 2 * x);
+}
+
+}  // namespace
+
 void find_correspondences(const ScanSurface& scan, const PointsRef& places,
                           const PointsRef& place_normals, const Vector& scan_weight,
                           const CorrespondenceOptions& options, Correspondences& result,
@@ -30,7 +43,11 @@ void find_correspondences(const ScanSurface& scan, const PointsRef& places,
     result.weight.resize(n);
     TriangleTree back;
     if (options.mutual) back = TriangleTree(places, Triangles(0, 3), context);
-    const double min_cosine = std::cos(options.max_angle_deg * 3.14159265358979323846 / 180);
+    constexpr double kDegree = 3.14159265358979323846 / 180, kFade_deg = 5;
+    // The filters fade: a vertex on the verge would be taken in one frame and refused in another, by rounding.
+    const bool by_angle = options.max_angle_deg < 180;
+    const double least_cosine = std::cos(std::min(180.0, options.max_angle_deg + kFade_deg) * kDegree);
+    const double sure_cosine = std::cos(std::max(0.0, options.max_angle_deg - kFade_deg) * kDegree);
     parallel_for(context, static_cast<std::size_t>(n), 512, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
             const Index i = static_cast<Index>(k);
@@ -40,9 +57,12 @@ void find_correspondences(const ScanSurface& scan, const PointsRef& places,
             if (!hit.valid()) continue;
             const Vector3 normal = scan.normal_at(hit);
             result.normals.row(i) = normal.transpose();
-            if (normal.isZero(0) || (options.reject_border && scan.at_border(hit))) continue;
-            if (place_normals.row(i).dot(normal) < min_cosine) continue;
+            if (normal.isZero(0)) continue;
             double weight = robust_weight(options.robust, hit.distance(), options.robust_scale_mm);
+            if (options.reject_border) weight *= fade(scan.off_border(hit) / kOffBorder);
+            if (by_angle)
+                weight *= fade((place_normals.row(i).dot(normal) - least_cosine) / (sure_cosine - least_cosine));
+            if (!(weight > 0)) continue;
             if (scan_weight.size() > 0) {
                 double given = 0;
                 for (int c = 0; c < 3; ++c)

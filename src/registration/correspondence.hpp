@@ -14,7 +14,7 @@ enum class RobustWeight { none, welsch, huber, tukey };
 
 struct CorrespondenceOptions {
     bool reject_border = true;         ///< hits on the scan's border
-    double max_angle_deg = 60;         ///< between the normals of vertex and hit; 180: no filter
+    double max_angle_deg = 60;         ///< between the normals of vertex and hit, fading over 5 degrees to both sides; 180: no filter
     double max_distance_mm = 1e30;
     bool mutual = false;               ///< the hit's nearest template vertex must be near the vertex
     double mutual_distance_mm = 3;

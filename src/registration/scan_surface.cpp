@@ -196,6 +196,14 @@ bool ScanSurface::at_border(const SurfaceHit& hit) const {
     return !inside && all_border;
 }
 
+double ScanSurface::off_border(const SurfaceHit& hit) const {
+    if (tree.is_point_cloud()) return 1;
+    double off = 0;
+    for (int k = 0; k < 3; ++k)
+        if (on_border[triangles(static_cast<Index>(hit.triangle), k)] == 0) off += hit.barycentric[k];
+    return off;
+}
+
 ScanSurface prepare_scan(const TriMesh& mesh, double smoothing_mm, const Context& context) {
     ScanSurface scan;
     scan.vertices = mesh.vertices;

@@ -30,6 +30,8 @@ struct ScanSurface {
     void turn_over();
     /// True when the hit lies on a border edge or border vertex: the scan goes no further there.
     bool at_border(const SurfaceHit& hit) const;
+    /// 0 on the border, 1 from the next row of vertices on, linear between: continuous along the surface.
+    double off_border(const SurfaceHit& hit) const;
 };
 
 /// `mesh` must have passed check_mesh(). Cost O(V + F log F).

@@ -154,6 +154,32 @@ TEST(Correspondence, FiltersSayNoAtBordersAndAgainstNormals) {
     EXPECT_GT(found.weight[2], 0);
 }
 
+// A filter that cuts takes a vertex on its verge in one frame and refuses it in another.
+TEST(Correspondence, FiltersFadeInsteadOfCutting) {
+    const TriMesh sheet = face_sheet(20);
+    const ScanSurface scan = prepare_scan(sheet, 2, {});
+    CorrespondenceOptions options;
+    options.robust = RobustWeight::none;
+    // The weight beside the sheet's vertex `of` when one walks along `step`, or turns the normal by an angle.
+    const auto largest_jump = [&](Index of, const Vector3& step, double turn_rad) {
+        constexpr int kSteps = 1000;
+        Points places(kSteps, 3), normals(kSteps, 3);
+        const Vector3 normal = scan.normals.row(of).transpose(), axis = normal.unitOrthogonal();
+        for (int k = 0; k < kSteps; ++k) {
+            const double f = k / (kSteps - 1.0);
+            places.row(k) = scan.vertices.row(of) + f * step.transpose();
+            normals.row(k) = (Eigen::AngleAxisd(f * turn_rad, axis) * normal).transpose();
+        }
+        Correspondences found;
+        find_correspondences(scan, places, normals, Vector(), options, found, {});
+        EXPECT_GT(found.weight.maxCoeff(), 0.9);
+        EXPECT_EQ(found.weight.minCoeff(), 0);
+        return (found.weight.tail(kSteps - 1) - found.weight.head(kSteps - 1)).cwiseAbs().maxCoeff();
+    };
+    EXPECT_LT(largest_jump(10 * 21 + 10, Vector3::Zero(), 1.5), 0.06) << "at the angle";
+    EXPECT_LT(largest_jump(19 * 21 + 10, Vector3(20, 0, 0), 0), 0.06) << "at the border";
+}
+
 TEST(Folds, AreFoundAndStraightened) {
     const TriMesh sheet = face_sheet(30);
     const VertexRings rings = build_rings(sheet.vertices.rows(), sheet.triangles);
