@@ -2,9 +2,10 @@
 # Other machines, proven on this one: builds the self-contained archives and runs programs against them.
 #   sh tests/cross.sh [linux-x86_64] [linux-aarch64] [windows-x86_64]    (default: all three)
 # 64-bit ARM runs through qemu-user, Windows through wine; what is missing is installed by apt. Each archive
-# is unpacked into an empty folder and used as a stranger would: the first program in C does the main job on
-# the project's own demo data, also where there is nothing but the C library (this machine's kind alone), a program of the first release runs, file names are UTF-8, and every function is called
-# with every wrong argument. The neutral face must agree with this machine's own build to 0.001 mm (abi/README.md, promises).
+# is unpacked into an empty folder and used as a stranger would: the first program in C does the main job on the project's
+# own demo data, on this machine's kind also where there is nothing but the C library; a program of the first release runs,
+# file names are UTF-8, and every function is called with every wrong argument. The neutral face must agree with this
+# machine's own build to 0.001 mm (abi/README.md, promises).
 #   MIEN_NATIVE  a build of this machine with bin/mien and bin/mien-demo-data (default build/release)
 #   MIEN_WORK    keeps dependencies and objects for the next run (default build/cross)
 set -eu
