@@ -39,6 +39,7 @@ mien_register_options default_register_options() {
     options.max_angle_deg = core.correspondence.max_angle_deg;
     options.start_rotation[0] = options.start_rotation[4] = options.start_rotation[8] = 1;
     options.start_scale = 1;
+    options.color_features = core.color_features ? 1 : 0;
     return options;
 }
 
@@ -55,6 +56,8 @@ RegistrationOptions convert(const mien_register_options& given) {
     require_range(given.close_gap, 0, 1, "close_gap");
     require_range(given.reject_border, 0, 1, "reject_border");
     require_range(given.iterations, 0, 10000, "iterations");
+    require_range(given.color_features, 0, 1, "color_features");
+    if (given.reserved != 0) fail(Status::unsupported_option, "options.reserved is not zero");
     check_numbers({{"landmark_sigma_mm", given.landmark_sigma_mm},
                    {"sigma_start_mm", given.sigma_start_mm},
                    {"sigma_end_mm", given.sigma_end_mm},
@@ -68,6 +71,7 @@ RegistrationOptions convert(const mien_register_options& given) {
     options.units = static_cast<UnitRule>(given.units);
     options.skin_weights = given.skin_weights == 1;
     options.close_gap = given.close_gap == 1;
+    options.color_features = given.color_features == 1;
     options.correspondence.reject_border = given.reject_border == 1;
     options.landmark_sigma_mm = given.landmark_sigma_mm;
     options.max_scalar_modes = given.max_scalar_modes;

@@ -319,6 +319,8 @@ namespace Mien.Native
         public IntPtr progress;
         public IntPtr progressUser;
         public IntPtr cancel;
+        public int colorFeatures;
+        public uint reserved;
     }
 
     [StructLayout(LayoutKind.Sequential)]

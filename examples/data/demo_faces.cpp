@@ -13,7 +13,7 @@ struct DemoFaces::Parts {
     FaceMesh mesh;
     std::vector<std::pair<std::string, std::uint32_t>> landmarks;
     std::vector<std::pair<std::string, std::vector<std::uint32_t>>> zones;
-    std::vector<std::uint32_t> mirror;
+    std::vector<std::uint32_t> lips, mirror;
     std::vector<std::vector<double>> directions;
 };
 
@@ -41,6 +41,7 @@ DemoFaces::DemoFaces() {
         parts->landmarks.emplace_back(name, static_cast<std::uint32_t>(vertex));
     for (const auto& [name, members] : head.zones)
         parts->zones.emplace_back(name, std::vector<std::uint32_t>(members.begin(), members.end()));
+    parts->lips.assign(head.lips.begin(), head.lips.end());
     parts->mirror.assign(head.mirror.begin(), head.mirror.end());
     for (const auto& field : parts->basis.directions)
         parts->directions.push_back(flat(field, parts->anatomy.count()));
@@ -56,6 +57,7 @@ const std::vector<std::pair<std::string, std::uint32_t>>& DemoFaces::landmarks()
 const std::vector<std::pair<std::string, std::vector<std::uint32_t>>>& DemoFaces::zones() const {
     return parts_->zones;
 }
+const std::vector<std::uint32_t>& DemoFaces::lips() const { return parts_->lips; }
 const std::vector<std::uint32_t>& DemoFaces::mirror() const { return parts_->mirror; }
 const std::vector<std::string>& DemoFaces::identity_names() const { return parts_->basis.names; }
 const std::vector<double>& DemoFaces::identity_direction(int k) const {

@@ -70,6 +70,7 @@ class DemoFaces {
     const std::vector<std::pair<std::string, std::uint32_t>>& landmarks() const;
     /// "face" contains all others; the others are disjoint.
     const std::vector<std::pair<std::string, std::vector<std::uint32_t>>>& zones() const;
+    const std::vector<std::uint32_t>& lips() const;    ///< the vermilion
     const std::vector<std::uint32_t>& mirror() const;  ///< each vertex's partner
 
     static const std::vector<std::string>& expression_names();  ///< 20; "neutral" first

@@ -124,6 +124,7 @@ void run(const Settings& settings) {
     writer.save("landmarks.json", landmarks);
     json zones;
     for (const auto& [name, members] : faces.zones()) zones["zones"][name] = members;
+    zones["lips"] = faces.lips();
     writer.save("zones.json", zones);
 
     writer.dataset("train.safetensors", faces, settings.seed, 0, settings.subjects);

@@ -199,10 +199,8 @@ void mark_colors(TemplateHead& head) {
         paint(flush, 0.4 * ramp(60, 74, x) * ramp(-40, -20, p.y) * ramp(40, 25, p.y));
         if (p.z > 75 && x < plan::kMouthHalfWidth) {
             const double edge = std::min(plan::lip_top(p.x) - p.y, p.y - plan::lip_bottom(p.x));
-            if (edge > -1.2) {
-                head.lips.push_back(static_cast<int>(v));
-                paint(lip, ramp(-1.2, 0.8, edge));
-            }
+            paint(lip, ramp(-1.2, 0.8, edge));
+            if (edge > -0.2 || head.rim[v] >= Rim::lip_upper) head.lips.push_back(static_cast<int>(v));
         }
         if (head.rim[v] >= Rim::lip_upper) c = mix(lip, V3{120, 50, 48}, 0.3 * head.rim_row[v]);
         else if (head.rim[v] != Rim::none) paint(V3{196, 132, 120}, 0.6);

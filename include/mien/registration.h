@@ -65,13 +65,18 @@ typedef struct mien_register_options {
     mien_progress_fn progress; /**< may be null */
     void *progress_user;
     mien_cancel *cancel;       /**< may be null */
+    int32_t color_features; /**< 1 (default): where the scan has vertex colours, its lips and brows hold the fit along the
+                                 skin, and without landmarks eyes are seen to be shut; 0: by form alone. Needs landmarks of
+                                 the 68-point scheme in the model (brow_*, mouth_outer_*, eye_*) or its zone "lips" */
+    uint32_t reserved;      /**< zero */
 } mien_register_options;
 
 /** How far a fit is to be trusted. */
 enum { MIEN_QUALITY_GOOD = 0, MIEN_QUALITY_DOUBTFUL = 1, MIEN_QUALITY_FAILED = 2 };
 
 /** The verdict on a fit; the reasons in words are in the JSON report. With fewer than three landmarks and without trained modes a
- *  fit is doubtful at best: its surface may be right and its vertices slid along it by millimetres. */
+ *  fit is doubtful at best: its surface may be right and its vertices slid along it by millimetres, even where colours hold
+ *  mouth and brows. */
 typedef struct mien_fit_verdict {
     uint32_t struct_size;
     int32_t quality;          /**< MIEN_QUALITY_* */
@@ -227,7 +232,8 @@ MIEN_API mien_status MIEN_CALL mien_registration_get_motion(const mien_registrat
                                                             double *matrix, mien_error *error);
 
 /**
- * Verdict with reasons, energies, motion and summaries as JSON text. With dst null and capacity 0: the size only.
+ * Verdict with reasons, energies, motion, color_agreement (correlation of each feature's colour with the template,
+ * -1 to 1; empty when colours had no say) and summaries as JSON text. With dst null and capacity 0: the size only.
  *
  * @param registration [in] not null.
  * @param dst          [out] room for capacity bytes, or null.

@@ -38,7 +38,8 @@ std::vector<NamedPoint> read_landmark_points(const std::string& path);
 /// Landmark files {"vertices": {name: index}} of a template.
 std::vector<std::pair<std::string, std::uint32_t>> read_landmark_vertices(const std::string& path);
 /// Zone files {"zones": {name: [vertex, ...]}}.
-std::vector<std::pair<std::string, std::vector<std::uint32_t>>> read_zones(const std::string& path);
+std::vector<std::pair<std::string, std::vector<std::uint32_t>>> read_zones(const std::string& path,
+                                                                             const std::vector<std::string>& beside = {});
 
 /// One weight per vertex: a plain list, or the list under a key, as `mien register --json` writes "weight".
 std::vector<double> read_weights(const std::string& path, const char* key);

@@ -124,15 +124,20 @@ std::vector<double> read_weights(const std::string& path, const char* key) {
     return weights;
 }
 
-std::vector<std::pair<std::string, std::vector<std::uint32_t>>> read_zones(const std::string& path) {
+std::vector<std::pair<std::string, std::vector<std::uint32_t>>> read_zones(const std::string& path,
+                                                                             const std::vector<std::string>& beside) {
     const nlohmann::json file = read_json(path);
     std::vector<std::pair<std::string, std::vector<std::uint32_t>>> zones;
-    for (const auto& [name, list] : section(file, path, "zones", "{name: [vertex, ...]}").items()) {
+    const auto add = [&](const std::string& name, const nlohmann::json& list) {
         if (!list.is_array()) throw std::runtime_error(path + ": zone '" + name + "' is not a list");
         std::vector<std::uint32_t> vertices;
         for (const nlohmann::json& value : list) vertices.push_back(as_vertex(value, path, name));
         zones.emplace_back(name, std::move(vertices));
-    }
+    };
+    const nlohmann::json& listed = section(file, path, "zones", "{name: [vertex, ...]}");
+    for (const auto& [name, list] : listed.items()) add(name, list);
+    for (const std::string& name : beside)
+        if (file.contains(name) && !listed.contains(name)) add(name, file[name]);
     return zones;
 }
 

@@ -96,7 +96,7 @@ void run_build(BuildSettings& settings) {
         for (auto& [name, vertex] : read_landmark_vertices(settings.landmarks))
             model.landmarks.push_back({name, vertex});
     if (!settings.zones.empty())
-        for (auto& [name, vertices] : read_zones(settings.zones))
+        for (auto& [name, vertices] : read_zones(settings.zones, {"lips"}))
             model.zones.push_back({name, std::move(vertices)});
     if (!settings.scales.empty()) model.scale_per_vertex = read_values(settings.scales);
     model.progress = progress_bar();

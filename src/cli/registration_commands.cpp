@@ -11,7 +11,7 @@ struct RegisterArguments {
     double landmark_sigma = 2;
     std::string units = "detect", start = "automatic";
     int max_modes = -1, max_pca_modes = -1, iterations = 0;
-    bool no_close_gap = false;
+    bool no_close_gap = false, no_colors = false;
     Common common;
 };
 
@@ -50,6 +50,7 @@ void run_register(const RegisterArguments& arguments) {
     options.c.max_pca_modes = arguments.max_pca_modes;
     options.c.iterations = arguments.iterations;
     options.c.close_gap = arguments.no_close_gap ? 0 : 1;
+    options.c.color_features = arguments.no_colors ? 0 : 1;
     options.progress = progress_bar();
     const Registration fit(session, model, scan, options);
     fit.mesh().save(session, arguments.out);
@@ -133,6 +134,7 @@ void add_registration_commands(CLI::App& app) {
     command->add_option("--max-pca-modes", arguments->max_pca_modes, "trained modes used, -1: all")->capture_default_str();
     command->add_option("--iterations", arguments->iterations, "rounds, 0: the library's choice")->capture_default_str();
     command->add_flag("--no-close-gap", arguments->no_close_gap, "stay within the span of the model");
+    command->add_flag("--no-colors", arguments->no_colors, "go by the form alone, not by lips and brows");
     command->add_option("--out", arguments->out, "fitted template")->required();
     command->add_option("--heatmap", arguments->heatmap, "PNG of the distance to the scan");
     add_common_options(*command, arguments->common);

@@ -7,6 +7,11 @@
 
 namespace mien {
 
+double fade(double x) {
+    x = std::min(1.0, std::max(0.0, x));
+    return x * x * (3 - 2 * x);
+}
+
 double robust_weight(RobustWeight kind, double residual, double scale) {
     const double x = residual / scale;
     switch (kind) {
@@ -24,12 +29,6 @@ double robust_weight(RobustWeight kind, double residual, double scale) {
 namespace {
 
 constexpr double kOffBorder = 0.2;  // share of the way from the border to the next row of scan vertices
-
-// 0 below 0, 1 above 1, smooth between.
-double fade(double x) {
-    x = std::min(1.0, std::max(0.0, x));
-    return x * x * (3 - 2 * x);
-}
 
 }  // namespace
 

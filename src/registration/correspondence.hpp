@@ -35,6 +35,9 @@ void find_correspondences(const ScanSurface& scan, const PointsRef& places,
                           const CorrespondenceOptions& options, Correspondences& result,
                           const Context& context);
 
+/// 0 below 0, 1 above 1, smooth between.
+double fade(double x);
+
 /// Weight of a residual: 1 at zero.
 double robust_weight(RobustWeight kind, double residual, double scale);
 

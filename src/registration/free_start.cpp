@@ -30,8 +30,10 @@ double share_of_jaw(const std::string& name) {
 }
 
 // 0 to 1: the mean over the open skin within 100 mm of the nose's tip of exp(-d^2 / 2 s^2) cos^4 of the normals,
-// s = 2 mm. Unlike a residual it counts what has found no scan.
-double agreement(const DeformationModel& model, const ScanSurface& scan, const FitState& state, const Context& context) {
+// s = 2 mm. Unlike a residual it counts what has found no scan. Where the scan has colours, a tenth of their mean
+// agreement is added.
+double agreement(const DeformationModel& model, const ScanSurface& scan, const CorrespondenceOptions& match,
+                 const FitState& state, const Context& context) {
     constexpr double kScale_mm = 2, kRadius_mm = 100;
     const Points& rest = model.template_mesh.vertices;
     std::vector<SurfaceHit> hits;
@@ -49,7 +51,13 @@ double agreement(const DeformationModel& model, const ScanSurface& scan, const F
         const double cosine = normals.row(i).dot(scan.normal_at(hits[v]).transpose());
         if (cosine > 0) sum += std::pow(cosine, 4) * std::exp(-0.5 * hits[v].squared_distance / (kScale_mm * kScale_mm));
     }
-    return counted > 0 ? sum / static_cast<double>(counted) : 0;
+    if (counted == 0) return 0;
+    double colors = 0;
+    if (state.colors) {
+        const std::vector<ColorAgreement> features = state.colors->agreements(state.places, normals, match, context);
+        for (const ColorAgreement& feature : features) colors += feature.correlation / static_cast<double>(features.size());
+    }
+    return sum / static_cast<double>(counted) + 0.1 * colors;
 }
 
 // Every fifth vertex, in every round.
@@ -67,13 +75,15 @@ FitState rough_state(const FitState& state, Index scalar_modes, Index pca_modes)
     rough.motion = state.motion;
     rough.kernel_amplitude = state.kernel_amplitude;
     rough.inner = state.inner;
+    rough.colors = state.colors;
     rough.coefficients.kernel.setZero(scalar_modes, 3);
     rough.coefficients.pca.setZero(pca_modes);
     return rough;
 }
 
-// The opening that agrees with the scan clearly better than the closed mouth under the same prior, if any. A jaw
-// moves by centimetres, so the prior is given twice the amplitude.
+// The opening that agrees with the scan clearly better than what the approach found, all under the same prior: a jaw
+// moves by centimetres, so it is given twice the amplitude. An opening of zero starts again without the approach's
+// own idea of the mouth.
 void try_openings(const DeformationModel& model, const ScanSurface& scan, const Vector& scan_weight,
                   const RegistrationOptions& options, const FitState& start, FitState& rough, const Context& context,
                   const Context& quiet) {
@@ -84,23 +94,25 @@ void try_openings(const DeformationModel& model, const ScanSurface& scan, const 
     closer.iterations = 12;
     closer.tangential = 0.05;
     const Index modes = std::min<Index>(start.coefficients.kernel.rows(), 80);
-    double best = 0;
+    const double amplitude = options.kernel_amplitude > 0 ? 1 : kAmplitude;
+    if (open_jaw(model, start, 0).empty()) return;
+    FitState trial = rough;
+    trial.coefficients.kernel.conservativeResizeLike(Eigen::MatrixXf::Zero(modes, 3));
+    trial.kernel_amplitude *= amplitude;
+    fit_surface(model, scan, scan_weight, {}, closer, trial, quiet);
+    double best = agreement(model, scan, options.correspondence, trial, context) + kClearly;
     for (const double opening : kOpenings) {
-        FitState trial = rough_state(start, modes, 0);
-        if (!(options.kernel_amplitude > 0)) trial.kernel_amplitude *= kAmplitude;
-        const std::vector<Pin> pins = open_jaw(model, trial, opening);
-        if (pins.empty()) return;
-        fit_pins(model, pins, options, trial, quiet);
+        trial = rough_state(start, modes, 0);
+        trial.kernel_amplitude *= amplitude;
+        fit_pins(model, open_jaw(model, trial, opening), options, trial, quiet);
         fit_surface(model, scan, scan_weight, {}, closer, trial, quiet);
         context.progress(Stage::alignment, 0.94 + 0.05 * opening / kOpenings[3]);
-        const double agrees = agreement(model, scan, trial, context);
+        const double agrees = agreement(model, scan, options.correspondence, trial, context);
         context.log(LogLevel::debug, "jaw opened by %.0f degrees: agreement %.4f", opening / kDegree, agrees);
-        if (opening == 0) {
-            best = agrees + kClearly;
-        } else if (agrees > best) {
-            best = agrees;
-            rough = std::move(trial);
-        }
+        if (agrees <= best) continue;
+        best = agrees;
+        rough = trial;
+        if (opening == 0) rough.kernel_amplitude = start.kernel_amplitude;
     }
 }
 
@@ -154,6 +166,7 @@ void start_freely(const DeformationModel& model, const ScanSurface& scan, const 
     context.progress(Stage::alignment, 0.93);
     if (p == 0) try_openings(model, scan, scan_weight, options, state, rough, context, quiet);
     state.motion = rough.motion;
+    state.places = std::move(rough.places);
     state.kernel_amplitude = rough.kernel_amplitude;
     state.coefficients.kernel.topRows(rough.coefficients.kernel.rows()) = rough.coefficients.kernel;
     state.coefficients.pca.head(p) = rough.coefficients.pca;

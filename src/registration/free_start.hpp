@@ -10,7 +10,7 @@
 
 namespace mien {
 
-/// Needs state.motion, a pose, and coefficients at full size; fills coefficients and motion, and raises the kernel's
+/// Needs state.motion, a pose, and coefficients at full size; fills coefficients, motion and places, and raises the kernel's
 /// amplitude (unless the options give one) where an open jaw has won. Openings are tried for models without trained
 /// modes, which know open mouths, and with the landmarks jaw_00 .. jaw_16 and mouth_outer_09 of the 68-point scheme.
 void start_freely(const DeformationModel& model, const ScanSurface& scan, const Vector& scan_weight,

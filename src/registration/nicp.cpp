@@ -9,6 +9,9 @@
 namespace mien {
 namespace {
 
+// Blur of the colours, in noise levels of the surface and in mm.
+constexpr double kColorBlur = 1.3, kLeastBlur_mm = 1, kMostBlur_mm = 8;
+
 Similarity compose(const Similarity& outer, const Similarity& inner) {
     Similarity both;
     both.scale = outer.scale * inner.scale;
@@ -44,6 +47,20 @@ void add_turn(const ScanSurface& scan, const SurfaceHit& hit, const Vector3& see
     const Matrix3 squared = bend * bend;
     weight *= std::exp(-0.5 * turn.squaredNorm() / (kTurn * kTurn)) / (1 + squared.trace() / (kBend * kBend));
     terms.add(row, weight * squared, weight * (squared * target + bend * (to_model.rotation * turn)));
+}
+
+void add_colors(const DeformationModel& model, const std::vector<ColorPull>& pulls, const FitState& state,
+                double precision, const std::vector<Index>& row_of, FitTerms& terms) {
+    const Matrix3 to_model = state.motion.scale * state.motion.rotation.transpose();  // of a gradient
+    for (const ColorPull& pull : pulls) {
+        const Index row = row_of[static_cast<std::size_t>(pull.vertex)];
+        if (row < 0) continue;
+        const Vector3 gradient = to_model * pull.gradient;
+        Vector3 moved = state.displacement.row(pull.vertex).transpose();
+        if (model.mean_displacement.rows() > 0) moved -= model.mean_displacement.row(pull.vertex).transpose();
+        const double weight = pull.weight * precision;
+        terms.add(row, weight * gradient * gradient.transpose(), weight * gradient * (pull.difference + gradient.dot(moved)));
+    }
 }
 
 // About one vertex in `stride`, spread by a hash of the index, and every pinned vertex; ascending.
@@ -157,7 +174,8 @@ void fit_surface(const DeformationModel& model, const ScanSurface& scan, const V
         match.robust_scale_mm = options.robust_factor * sigma;
         match.max_distance_mm = std::min(options.correspondence.max_distance_mm, 4 * match.robust_scale_mm);
 
-        const Points place_normals = pick_rows(vertex_normals(state.places, model.template_mesh.triangles), solver);
+        const Points normals = vertex_normals(state.places, model.template_mesh.triangles);
+        const Points place_normals = pick_rows(normals, solver);
         find_correspondences(scan, pick_rows(state.places, solver), place_normals, scan_weight, match,
                              state.matches, context);
         for (Index row = 0; row < solver.num_rows() && !state.inner.empty(); ++row)
@@ -181,6 +199,11 @@ void fit_surface(const DeformationModel& model, const ScanSurface& scan, const V
             energy += weight * hit.squared_distance;
         }
         add_pins(model, pins, to_model, row_of, terms);
+        if (state.colors) {
+            const double blur_mm = std::clamp(kColorBlur * sigma, kLeastBlur_mm, kMostBlur_mm);
+            add_colors(model, state.colors->pulls(state.places, normals, match, blur_mm, context), state,
+                       options.color_weight * static_cast<double>(stride), row_of, terms);
+        }
         const Points before = state.places;
         const Points current = pick_rows(model.template_mesh.vertices + state.displacement, solver);
         const Similarity motion = solver.step(terms, current, step, state.coefficients, context);

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "registration/color_features.hpp"
 #include "registration/registration.hpp"
 #include "registration/solver.hpp"
 
@@ -15,13 +16,14 @@ struct Pin {
     double sigma_mm = 1.5;
 };
 
-/// What the loop changes.
+/// What the loop changes, and what it goes by.
 struct FitState {
     Similarity motion;              ///< model frame -> scan frame
     FitCoefficients coefficients;
     Points displacement;            ///< #V x 3, model frame
     Points places;                  ///< #V x 3, scan frame
     std::vector<std::uint8_t> inner;  ///< #V or empty: vertices without a say (inner.hpp)
+    const ColorFeatures* colors = nullptr;  ///< of the scan, or null
     Correspondences matches;
     Vector final_weight;            ///< #V, of the last round
     std::vector<double> energy;

@@ -13,6 +13,7 @@
 #include "registration/inner.hpp"
 #include "registration/nicp.hpp"
 #include "registration/refine.hpp"
+#include "registration/shut_lids.hpp"
 #include "registration/skin.hpp"
 #include "registration/start.hpp"
 
@@ -220,6 +221,10 @@ RegistrationResult register_scan(const DeformationModel& model, const TriMesh& r
     state.coefficients.kernel.setZero(r, 3);
     state.coefficients.pca.setZero(p);
     state.inner = find_inner_vertices(model.template_mesh, context);
+    const ColorFeatures colors =
+        options.color_features ? ColorFeatures(model, state.inner, scan, scan_weight, cleaned.mesh.colors, context)
+                               : ColorFeatures();
+    if (!colors.empty()) state.colors = &colors;
 
     // The start.
     std::vector<std::string> names;
@@ -275,11 +280,16 @@ RegistrationResult register_scan(const DeformationModel& model, const TriMesh& r
         const Points shaped = state.places.rows() == n ? state.places : Points(state.motion.apply(PointsRef(rest)));
         if (opposed_share(model, scan, shaped, context) > 0.6) scan.turn_over();
     }
-    if (pins.size() < 3) start_freely(model, scan, scan_weight, options, state, context);
+    std::vector<Pin> held = pins;
+    if (pins.size() < 3) {
+        start_freely(model, scan, scan_weight, options, state, context);
+        const std::vector<Pin> lids = shut_lids(model, scan, state, options.landmark_sigma_mm, context);
+        held.insert(held.end(), lids.begin(), lids.end());
+    }
     context.progress(Stage::alignment, 1);
 
     // The fit, and what the modes leave open.
-    fit_surface(model, scan, scan_weight, pins, options, state, context);
+    fit_surface(model, scan, scan_weight, held, options, state, context);
     result.sigma_mm = state.sigma_mm;
     const Triangles& triangles = model.template_mesh.triangles;
     const VertexRings rings = build_rings(n, triangles);
@@ -326,6 +336,7 @@ RegistrationResult register_scan(const DeformationModel& model, const TriMesh& r
     result.motion = state.motion;
     result.iterations = state.iterations;
     result.verdict.self_intersections = static_cast<int>(count_self_intersections(state.places, triangles, context));
+    if (state.colors) result.verdict.colors = colors.agreements(state.places, normals, options.correspondence, context);
     assess(model, scan, pins, state, result);
     for (SurfaceHit& hit : result.correspondence)  // numbers of the scan as it was given
         hit.triangle = scan.tree.is_point_cloud() ? cleaned.vertex_to_old[hit.triangle]

@@ -53,6 +53,8 @@ struct RegistrationOptions {
     double normal_length_mm = 5;     ///< how far a turn of the normal by one radian counts as a shift; 0: not
     double data_weight = 0.03;       ///< independent hits per vertex (neighbours' errors are alike)
     CorrespondenceOptions correspondence;
+    bool color_features = true;      ///< lips and brows hold the fit along the skin where the scan has colours
+    double color_weight = 0.1;       ///< independent observations of them per vertex
     // Loop
     int iterations = 16;
     double stop_movement_mm = 0.01;  ///< mean movement below which the last noise level ends

@@ -97,6 +97,10 @@ std::string registration_json(const RegistrationResult& result) {
     add(json, "self_intersections", v.self_intersections);
     add(json, "search_score", v.search_score);
     add(json, "unit_to_mm", v.unit_to_mm);
+    add_key(json, "color_agreement");
+    json += '{';
+    for (const ColorAgreement& feature : v.colors) add(json, feature.name.c_str(), feature.correlation);
+    json += '}';
     add(json, "iterations", result.iterations);
     add(json, "noise_mm", result.sigma_mm);
     add_list(json, "energy_mm2", result.energy);

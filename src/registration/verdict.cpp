@@ -47,8 +47,13 @@ void judge(Verdict& v, const VerdictLimits& l) {
                 "%.0f triangles are folded over");
     if (v.may_slide) {
         if (v.quality == FitQuality::good) v.quality = FitQuality::doubtful;
-        v.reasons.emplace_back("neither landmarks nor trained modes tell where along the skin mouth, brows and cheeks are: "
-                               "the surface is right, but its vertices may have slid along it by some millimetres");
+        bool held = !v.colors.empty();
+        for (const ColorAgreement& feature : v.colors) held = held && feature.correlation >= l.doubtful_color;
+        v.reasons.emplace_back(
+            held ? "neither landmarks nor trained modes tell where along the skin a place is: colours hold mouth and brows, "
+                   "but cheeks and chin may have slid by some millimetres"
+                 : "neither landmarks nor trained modes tell where along the skin mouth, brows and cheeks are: "
+                   "the surface is right, but its vertices may have slid along it by some millimetres");
     }
     if (!v.landmarks_rejected.empty()) {
         std::string names = "landmarks that contradict the others were left out:";

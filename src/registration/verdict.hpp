@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "base/types.hpp"
+#include "registration/color_features.hpp"
 
 namespace mien {
 
@@ -28,6 +28,7 @@ struct Verdict {
     int self_intersections = 0;        ///< pairs of crossing triangles (lips, lids)
     double search_score = 0;           ///< of a start without landmarks, 0 to 1; 0 with
     double unit_to_mm = 1;             ///< what one unit of the scan was taken for
+    std::vector<ColorAgreement> colors;  ///< of lips and brows; empty when the scan has no colours or the model no names
     bool may_slide = false;            ///< fewer than three landmarks and no trained mode say where along the skin a place is
 };
 
@@ -39,6 +40,7 @@ struct VerdictLimits {
     double doubtful_landmark_mm = 5, failed_landmark_mm = 12;
     double doubtful_size = 0.2, failed_size = 0.35;  ///< |log(size_ratio)|
     double doubtful_deviation = 2.5, failed_deviation = 5;
+    double doubtful_color = 0.8;  ///< correlation of a feature's colour
     int doubtful_flipped = 20, failed_flipped = 400;
 };
 

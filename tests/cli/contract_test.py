@@ -104,6 +104,17 @@ class MainJob(unittest.TestCase):
              "--landmarks", demo / "scan/landmarks.json", "--out", WORK / "fitted1.ply", "--threads", "1")
         self.assertEqual((WORK / "fitted1.ply").read_bytes(), (WORK / "fitted.ply").read_bytes())
 
+    def test_colors_are_heard_and_can_be_left_out(self):
+        demo = WORK / "demo"
+        self.assertIn("lips", json.loads((WORK / "build.json").read_text())["zones"])
+        agreement = json.loads((WORK / "register.json").read_text())["color_agreement"]
+        self.assertEqual(set(agreement), {"brow_left", "brow_right", "lips"})
+        self.assertGreater(agreement["lips"], 0.8)
+        must("register", "--model", WORK / "face.safetensors", "--scan", demo / "scan/scan_grin.ply", "--no-colors",
+             "--landmarks", demo / "scan/landmarks.json", "--out", WORK / "plain.ply", "--json", WORK / "plain.json")
+        self.assertEqual(json.loads((WORK / "plain.json").read_text())["color_agreement"], {})
+        self.assertNotEqual((WORK / "plain.ply").read_bytes(), (WORK / "fitted.ply").read_bytes())
+
     def test_model_files_do_not_depend_on_threads(self):
         demo = WORK / "demo"
         for threads in (1, 2):

@@ -312,6 +312,8 @@ class RegisterOptions(ctypes.Structure):
         ("progress", ProgressFn),
         ("progress_user", ctypes.c_void_p),
         ("cancel", ctypes.c_void_p),
+        ("color_features", ctypes.c_int32),
+        ("reserved", ctypes.c_uint32),
     ]
 
 

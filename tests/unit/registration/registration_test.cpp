@@ -191,6 +191,39 @@ TEST(Registration, ASphereIsNoFace) {
     EXPECT_FALSE(fit.verdict.reasons.empty());
 }
 
+// The bare sheet slides: a fit by its form alone ends beside a mouth that has gone up.
+TEST(Registration, ColorsHoldTheFitAlongTheSkin) {
+    SmallFace face = small_face(60);
+    Points& v = face.model.template_mesh.vertices;
+    for (Index i = 0; i < v.rows(); ++i) v(i, 2) = -0.002 * v.row(i).head<2>().squaredNorm();
+    face.truth = v;
+    Zone lips{"lips", {}};
+    TriMesh scan;
+    scan.vertices = v;
+    scan.triangles = face.model.template_mesh.triangles;
+    scan.colors.resize(v.rows(), 3);
+    for (Index i = 0; i < v.rows(); ++i) {
+        const auto inside = [&](double up) { return v(i, 0) * v(i, 0) / 900 + (v(i, 1) - up) * (v(i, 1) - up) / 144 < 1; };
+        if (inside(-40)) lips.vertices.push_back(static_cast<std::uint32_t>(i));
+        const std::uint8_t green = inside(-36) ? 90 : 160;
+        scan.colors.row(i) << 200, green, 130;
+    }
+    face.model.zones.push_back(lips);
+    RegistrationOptions options;
+    options.start = StartKind::pose;
+    options.estimate_motion = false;
+    const auto rise = [&](bool colors) {
+        options.color_features = colors;
+        const RegistrationResult fit = register_scan(face.model, scan, {}, options, {});
+        EXPECT_EQ(fit.verdict.colors.size(), colors ? 1u : 0u);
+        double sum = 0;
+        for (const std::uint32_t i : lips.vertices) sum += fit.fitted.vertices(i, 1) - v(i, 1);
+        return sum / static_cast<double>(lips.vertices.size());
+    };
+    EXPECT_NEAR(rise(true), 4, 1);
+    EXPECT_LT(std::abs(rise(false)), 0.5);
+}
+
 TEST(Registration, RefusesSettingsOutOfRange) {
     const SmallFace face = small_face(12);
     const TriMesh scan = scan_of(face, Similarity());

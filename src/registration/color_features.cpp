@@ -1,0 +1,285 @@
+#include "registration/color_features.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mien {
+namespace {
+
+// Half of a brow's height, the slope of its edge and of the lips', and how much skin around them is looked at, mm.
+constexpr double kBrow_mm = 3.5, kBrowEdge_mm = 3, kBrowSkin_mm = 14, kLipEdge_mm = 2, kLipSkin_mm = 9;
+// In logarithms, as the signals; below half of it nothing is seen.
+constexpr double kContrast_red = 0.1, kContrast_dark = 0.2;
+constexpr double kNoise = 0.15;      // of what is seen, at the least, of a contrast of 1
+constexpr double kShared = 2;        // how much more a brow of another shape weighs, which errs along whole edges
+constexpr double kSharpest_mm = 1;   // blur of a look that does not have to feel from afar
+constexpr std::size_t kFewest = 10;  // vertices that see the scan
+
+// Places of prefix0, prefix1, ... at rest; empty when one is missing.
+std::vector<Vector3> landmark_places(const DeformationModel& model, const std::string& prefix, int count, int digits) {
+    std::vector<Vector3> places;
+    for (int k = 0; k < count; ++k) {
+        std::string number = std::to_string(k);
+        number.insert(0, static_cast<std::size_t>(std::max(0, digits - static_cast<int>(number.size()))), '0');
+        for (const Landmark& landmark : model.landmarks)
+            if (landmark.name == prefix + number)
+                places.push_back(model.template_mesh.vertices.row(landmark.vertex).transpose());
+    }
+    return static_cast<int>(places.size()) == count ? places : std::vector<Vector3>();
+}
+
+double distance_to_line(const Vector3& point, const std::vector<Vector3>& line, bool closed) {
+    double best = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k + (closed ? 0 : 1) < line.size(); ++k) {
+        const Vector3& from = line[k];
+        const Vector3 along = line[(k + 1) % line.size()] - from;
+        const double squared = along.squaredNorm();
+        const double t = squared > 0 ? std::clamp((point - from).dot(along) / squared, 0.0, 1.0) : 0;
+        best = std::min(best, (point - from - t * along).norm());
+    }
+    return best;
+}
+
+// Whether the point lies within the ring, seen along the ring's own normal.
+bool is_within(const Vector3& point, const std::vector<Vector3>& ring) {
+    Vector3 centre = Vector3::Zero(), normal = Vector3::Zero();
+    for (const Vector3& corner : ring) centre += corner / static_cast<double>(ring.size());
+    for (std::size_t k = 0; k < ring.size(); ++k) normal += (ring[k] - centre).cross(ring[(k + 1) % ring.size()] - centre);
+    if (!(normal.norm() > 0)) return false;
+    normal.normalize();
+    const Vector3 across = normal.unitOrthogonal(), up = normal.cross(across);
+    const double x = across.dot(point - centre), y = up.dot(point - centre);
+    bool within = false;
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+        const Vector3 a = ring[k] - centre, b = ring[(k + 1) % ring.size()] - centre;
+        const double ax = across.dot(a), ay = up.dot(a), bx = across.dot(b), by = up.dot(b);
+        if ((ay > y) != (by > y) && x < ax + (y - ay) / (by - ay) * (bx - ax)) within = !within;
+    }
+    return within;
+}
+
+// Signed distance of every vertex to the rim of a zone, positive inside; false when it has no rim.
+bool inside_zone(const TriMesh& mesh, const Zone& zone, std::vector<double>& inside_mm, const Context& context) {
+    std::vector<std::uint8_t> member(inside_mm.size(), 0);
+    for (const std::uint32_t v : zone.vertices) member[v] = 1;
+    std::vector<Vector3> rim;
+    for (Index t = 0; t < mesh.triangles.rows(); ++t)
+        for (int k = 0; k < 3; ++k) {
+            const std::uint32_t a = mesh.triangles(t, k), b = mesh.triangles(t, (k + 1) % 3);
+            if (member[a] && !member[b]) rim.push_back(0.5 * (mesh.vertices.row(a) + mesh.vertices.row(b)).transpose());
+        }
+    if (rim.empty()) return false;
+    const TriangleTree tree(Eigen::Map<const Points>(rim.front().data(), static_cast<Index>(rim.size()), 3), Triangles(0, 3), context);
+    for (std::size_t i = 0; i < inside_mm.size(); ++i) {
+        const double distance = tree.closest(mesh.vertices.row(static_cast<Index>(i)).transpose()).distance();
+        inside_mm[i] = member[i] ? distance : -distance;
+    }
+    return true;
+}
+
+bool inside_lips(const DeformationModel& model, std::vector<double>& inside_mm, const Context& context) {
+    for (const Zone& zone : model.zones)
+        if (zone.name == "lips") return inside_zone(model.template_mesh, zone, inside_mm, context);
+    const std::vector<Vector3> ring = landmark_places(model, "mouth_outer_", 12, 2);
+    if (ring.empty()) return false;
+    constexpr double kDepth_mm = 20;  // the throat and the nape lie within the ring too, seen from the front
+    for (std::size_t i = 0; i < inside_mm.size(); ++i) {
+        const Vector3 at = model.template_mesh.vertices.row(static_cast<Index>(i)).transpose();
+        const double distance = distance_to_line(at, ring, true);
+        inside_mm[i] = distance < kDepth_mm && is_within(at, ring) ? distance : -distance;
+    }
+    return true;
+}
+
+// Rounds of averaging with the neighbours, each value by its weight.
+void blur(const VertexRings& rings, int rounds, Vector& values, Vector& weights) {
+    values = values.cwiseProduct(weights);
+    Vector next_values = values, next_weights = weights;
+    for (int round = 0; round < rounds; ++round) {
+        for (Index i = 0; i < values.size(); ++i) {
+            double value = values[i], weight = weights[i];
+            const std::uint32_t begin = rings.begin[static_cast<std::size_t>(i)];
+            const std::uint32_t end = rings.begin[static_cast<std::size_t>(i) + 1];
+            for (std::uint32_t k = begin; k < end; ++k) {
+                value += values[rings.neighbours[k]];
+                weight += weights[rings.neighbours[k]];
+            }
+            next_values[i] = value / (1 + end - begin);
+            next_weights[i] = weight / (1 + end - begin);
+        }
+        values.swap(next_values);
+        weights.swap(next_weights);
+    }
+    for (Index i = 0; i < values.size(); ++i) values[i] = weights[i] > 1e-9 ? values[i] / weights[i] : 0;
+}
+
+// Of a field that is linear over each triangle: the mean by area over the triangles around a vertex.
+Points vertex_gradients(const Points& places, const Triangles& triangles, const Vector& field) {
+    Points gradient = Points::Zero(places.rows(), 3);
+    Vector area = Vector::Zero(places.rows());
+    for (Index t = 0; t < triangles.rows(); ++t) {
+        Vector3 x[3];
+        for (int k = 0; k < 3; ++k) x[k] = places.row(triangles(t, k)).transpose();
+        const Vector3 cross = (x[1] - x[0]).cross(x[2] - x[0]);
+        const double twice = cross.norm();
+        if (!(twice > 1e-9)) continue;
+        Vector3 sum = Vector3::Zero();  // twice the area times the gradient
+        for (int k = 0; k < 3; ++k) sum += field[triangles(t, k)] * cross.cross(x[(k + 2) % 3] - x[(k + 1) % 3]) / twice;
+        for (int k = 0; k < 3; ++k) {
+            gradient.row(triangles(t, k)) += sum.transpose();
+            area[triangles(t, k)] += twice;
+        }
+    }
+    for (Index i = 0; i < area.size(); ++i)
+        if (area[i] > 0) gradient.row(i) /= area[i];
+    return gradient;
+}
+
+double weighted_correlation(const Vector& weight, const Vector& a, const Vector& b) {
+    const double sum = weight.sum();
+    if (!(sum > 0)) return 0;
+    const Vector da = a.array() - weight.dot(a) / sum, db = b.array() - weight.dot(b) / sum;
+    const double spread = std::sqrt(weight.dot(da.cwiseAbs2()) * weight.dot(db.cwiseAbs2()));
+    return spread > 0 ? weight.dot(da.cwiseProduct(db)) / spread : 0;
+}
+
+}  // namespace
+
+ColorFeatures::ColorFeatures(const DeformationModel& model, const std::vector<std::uint8_t>& inner, const ScanSurface& scan,
+                             const Vector& scan_weight, const Colors& colors, const Context& context)
+    : scan_(&scan), scan_weight_(&scan_weight) {
+    if (colors.rows() == 0) return;
+    // Black has a logarithm too; near it the camera's noise is all there is.
+    const Eigen::ArrayX3f light = colors.cast<float>().array() + 8;
+    signals_.resize(colors.rows(), 2);
+    signals_.col(redness) = (light.col(0) / light.col(1)).log();
+    signals_.col(darkness) = -(0.299f * light.col(0) + 0.587f * light.col(1) + 0.114f * light.col(2)).log();
+    std::vector<double> inside(static_cast<std::size_t>(model.num_vertices()));
+    for (const char* brow : {"brow_right", "brow_left"}) {
+        const std::vector<Vector3> line = landmark_places(model, std::string(brow) + "_", 5, 1);
+        if (line.empty()) continue;
+        for (std::size_t i = 0; i < inside.size(); ++i)
+            inside[i] = kBrow_mm - distance_to_line(model.template_mesh.vertices.row(static_cast<Index>(i)).transpose(), line, false);
+        add(brow, darkness, model, inner, inside, kBrowEdge_mm, kBrowSkin_mm);
+    }
+    if (inside_lips(model, inside, context)) add("lips", redness, model, inner, inside, kLipEdge_mm, kLipSkin_mm);
+}
+
+void ColorFeatures::add(const char* name, Signal signal, const DeformationModel& model,
+                        const std::vector<std::uint8_t>& inner, const std::vector<double>& inside_mm, double ramp_mm,
+                        double around_mm) {
+    Feature feature;
+    feature.name = name;
+    feature.signal = signal;
+    std::vector<Index> row_of(inside_mm.size(), -1);
+    for (std::size_t i = 0; i < inside_mm.size(); ++i) {
+        if (inside_mm[i] < -around_mm || inner[i]) continue;
+        row_of[i] = static_cast<Index>(feature.vertices.size());
+        feature.vertices.push_back(static_cast<Index>(i));
+    }
+    if (feature.vertices.size() < kFewest) return;
+    const Index n = static_cast<Index>(feature.vertices.size());
+    feature.expected.resize(n);
+    for (Index k = 0; k < n; ++k)
+        feature.expected[k] = fade(0.5 + inside_mm[static_cast<std::size_t>(feature.vertices[static_cast<std::size_t>(k)])] / ramp_mm);
+    const Triangles& triangles = model.template_mesh.triangles;
+    const Points& rest = model.template_mesh.vertices;
+    std::vector<std::uint32_t> corners;
+    double length = 0;
+    for (Index t = 0; t < triangles.rows(); ++t) {
+        const Index rows[3] = {row_of[triangles(t, 0)], row_of[triangles(t, 1)], row_of[triangles(t, 2)]};
+        if (std::min({rows[0], rows[1], rows[2]}) < 0) continue;
+        for (const Index row : rows) corners.push_back(static_cast<std::uint32_t>(row));
+        length += (rest.row(triangles(t, 0)) - rest.row(triangles(t, 1))).norm();
+    }
+    feature.triangles = Eigen::Map<const Triangles>(corners.data(), static_cast<Index>(corners.size() / 3), 3);
+    feature.edge_mm = std::max(0.1, length / std::max<double>(1, static_cast<double>(feature.triangles.rows())));
+    feature.rings = build_rings(n, feature.triangles);
+    features_.push_back(std::move(feature));
+}
+
+Eigen::Vector2d ColorFeatures::signals_at(const SurfaceHit& hit) const {
+    const Index t = static_cast<Index>(hit.triangle);
+    if (scan_->tree.is_point_cloud()) return signals_.row(t).transpose().cast<double>();
+    Eigen::Vector2d signals = Eigen::Vector2d::Zero();
+    for (int c = 0; c < 3; ++c)
+        signals += hit.barycentric[c] * signals_.row(scan_->triangles(t, c)).transpose().cast<double>();
+    return signals;
+}
+
+bool ColorFeatures::look(const Feature& feature, const Points& places, const Points& normals,
+                         const CorrespondenceOptions& match, double blur_mm, View& view, const Context& context) const {
+    const Index n = static_cast<Index>(feature.vertices.size());
+    Points turned(n, 3);
+    view.places.resize(n, 3);
+    for (Index k = 0; k < n; ++k) {
+        view.places.row(k) = places.row(feature.vertices[static_cast<std::size_t>(k)]);
+        turned.row(k) = normals.row(feature.vertices[static_cast<std::size_t>(k)]);
+    }
+    Correspondences found;
+    find_correspondences(*scan_, view.places, turned, *scan_weight_, match, found, context);
+    view.seen.setZero(n);
+    view.weight = found.weight;
+    view.expected = feature.expected;
+    std::vector<double> values;
+    double share = 0;
+    for (Index k = 0; k < n; ++k) {
+        if (!(view.weight[k] > 0)) continue;
+        view.seen[k] = signals_at(found.hits[static_cast<std::size_t>(k)])[feature.signal];
+        if (view.weight[k] < 0.1) continue;
+        values.push_back(view.seen[k]);
+        share += view.expected[k];
+    }
+    if (values.size() < kFewest) return false;
+    // The feature's share of the places is known, so its colour is the middle of as many at the one end, and the
+    // skin's the middle of the rest, wherever they lie.
+    std::sort(values.begin(), values.end());
+    const std::size_t skin = values.size() - std::min(values.size() - 1, static_cast<std::size_t>(std::lround(share)));
+    const double low = values[skin / 2], contrast = values[(skin + values.size() - 1) / 2] - low;
+    const double least = feature.signal == redness ? kContrast_red : kContrast_dark;
+    view.trust = fade((contrast - 0.5 * least) / (0.5 * least));
+    if (!(view.trust > 0)) return false;
+    view.seen = ((view.seen.array() - low) / contrast).max(-0.5).min(1.5);
+    // A round of averaging over the ring spreads a value by about two thirds of an edge.
+    const double edges = blur_mm / feature.edge_mm;
+    const int rounds = static_cast<int>(std::lround(2.3 * edges * edges));
+    Vector again = view.weight;
+    blur(feature.rings, rounds, view.expected, again);
+    blur(feature.rings, rounds, view.seen, view.weight);
+    view.correlation = weighted_correlation(view.weight, view.seen, view.expected);
+    return true;
+}
+
+std::vector<ColorPull> ColorFeatures::pulls(const Points& places, const Points& normals, const CorrespondenceOptions& match,
+                                            double blur_mm, const Context& context) const {
+    std::vector<ColorPull> pulls;
+    View view;
+    for (const Feature& feature : features_) {
+        if (!look(feature, places, normals, match, blur_mm, view, context)) continue;
+        const double trust = view.trust * fade((view.correlation - 0.1) / 0.4);
+        if (!(trust > 0)) continue;
+        const double variance =
+            kNoise * kNoise + kShared * view.weight.dot((view.expected - view.seen).cwiseAbs2()) / view.weight.sum();
+        const Points gradient = vertex_gradients(view.places, feature.triangles, 0.5 * (view.seen + view.expected));
+        for (Index k = 0; k < view.weight.size(); ++k)
+            if (view.weight[k] > 0)
+                pulls.push_back({feature.vertices[static_cast<std::size_t>(k)], gradient.row(k).transpose(),
+                                 view.expected[k] - view.seen[k], trust * view.weight[k] / variance});
+    }
+    return pulls;
+}
+
+std::vector<ColorAgreement> ColorFeatures::agreements(const Points& places, const Points& normals,
+                                                      const CorrespondenceOptions& match, const Context& context) const {
+    std::vector<ColorAgreement> agreements;
+    View view;
+    for (const Feature& feature : features_) {
+        const bool seen = look(feature, places, normals, match, kSharpest_mm, view, context);
+        agreements.push_back({feature.name, seen ? view.trust * view.correlation : 0});
+    }
+    return agreements;
+}
+
+}  // namespace mien
