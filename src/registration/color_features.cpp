@@ -192,10 +192,10 @@ void ColorFeatures::add(const char* name, Signal signal, const DeformationModel&
         const Index rows[3] = {row_of[triangles(t, 0)], row_of[triangles(t, 1)], row_of[triangles(t, 2)]};
         if (std::min({rows[0], rows[1], rows[2]}) < 0) continue;
         for (const Index row : rows) corners.push_back(static_cast<std::uint32_t>(row));
-        length += (rest.row(triangles(t, 0)) - rest.row(triangles(t, 1))).norm();
+        for (int k = 0; k < 3; ++k) length += (rest.row(triangles(t, k)) - rest.row(triangles(t, (k + 1) % 3))).norm();
     }
     feature.triangles = Eigen::Map<const Triangles>(corners.data(), static_cast<Index>(corners.size() / 3), 3);
-    feature.edge_mm = std::max(0.1, length / std::max<double>(1, static_cast<double>(feature.triangles.rows())));
+    feature.edge_mm = std::max(0.1, length / std::max<double>(1, static_cast<double>(3 * feature.triangles.rows())));
     feature.rings = build_rings(n, feature.triangles);
     features_.push_back(std::move(feature));
 }

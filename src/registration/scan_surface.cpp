@@ -221,8 +221,9 @@ ScanSurface prepare_scan(const TriMesh& mesh, double smoothing_mm, const Context
     const Index num_triangles = scan.triangles.rows();
     double total = 0;
     for (Index t = 0; t < num_triangles; ++t)
-        total += (scan.vertices.row(scan.triangles(t, 0)) - scan.vertices.row(scan.triangles(t, 1))).norm();
-    scan.spacing_mm = num_triangles > 0 ? total / static_cast<double>(num_triangles) : 0;
+        for (int k = 0; k < 3; ++k)
+            total += (scan.vertices.row(scan.triangles(t, k)) - scan.vertices.row(scan.triangles(t, (k + 1) % 3))).norm();
+    scan.spacing_mm = num_triangles > 0 ? total / static_cast<double>(3 * num_triangles) : 0;
 
     // k rounds of averaging over the triangles spread a normal over about sqrt(k) edge lengths.
     if (scan.spacing_mm > 0 && smoothing_mm > 0) {

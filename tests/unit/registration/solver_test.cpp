@@ -261,6 +261,21 @@ TEST(Gap, OfAHillBeyondTheRobustScaleIsClosedFromItsFoot) {
         }
 }
 
+// It was once measured on the first edge of each triangle alone, and with it the reach of the smoothing.
+TEST(ScanSurface, ItsResolutionDoesNotDependOnATrianglesFirstCorner) {
+    TriMesh mesh = face_sheet(80);
+    const ScanSurface scan = prepare_scan(mesh, 4, {});
+    for (Index t = 0; t < mesh.triangles.rows(); ++t) {
+        const std::uint32_t first = mesh.triangles(t, 0);
+        mesh.triangles(t, 0) = mesh.triangles(t, 1);
+        mesh.triangles(t, 1) = mesh.triangles(t, 2);
+        mesh.triangles(t, 2) = first;
+    }
+    const ScanSurface turned = prepare_scan(mesh, 4, {});
+    EXPECT_NEAR(turned.spacing_mm, scan.spacing_mm, 1e-9);
+    EXPECT_LT((turned.normals - scan.normals).cwiseAbs().maxCoeff(), 1e-9);
+}
+
 TEST(Skin, TonesOfSkinOutweighHairAndCloth) {
     Colors colors(7, 3);
     colors << 226, 184, 160, 205, 158, 130, 168, 118, 90, 120, 80, 60, 52, 36, 26, 58, 84, 150, 60, 160, 60;
