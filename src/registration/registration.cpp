@@ -309,7 +309,7 @@ RegistrationResult register_scan(const DeformationModel& model, const TriMesh& r
     // What trained modes fold, faces have been seen to fold: only the rest has to lie as the template does.
     const Points form = state.motion.apply(PointsRef(
         model.template_mesh.vertices + displacement(model, {Matrix(), state.coefficients.pca.cast<double>()}, context)));
-    carry_inner(form, state.inner, state.places, context);
+    carry_inner(model.template_mesh, rings, form, state.inner, state.places, context);
     Index left = static_cast<Index>(find_turned(form, triangles, rings, state.places, options.max_turn_rad).size());
     if (options.repair) left = straighten_turned(form, triangles, rings, options.max_turn_rad, 12, state.places, turned);
     result.verdict.repaired_triangles = static_cast<int>(repaired + turned - left);
