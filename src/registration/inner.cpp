@@ -1,6 +1,7 @@
 #include "registration/inner.hpp"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -17,7 +18,8 @@ namespace {
 constexpr double kProbes_mm[] = {1, 2, 3, 4.5, 6, 8};
 constexpr int kRays = 16, kOpenRays = 4;
 constexpr double kSight_mm = 60;
-constexpr double kReach_mm = 15, kSpread_mm = 4, kBlend_mm = 2, kPath_mm = 20, kWhisper = 1e-3;
+constexpr double kReach_mm = 15, kSpread_mm = 6, kBlend_mm = 2, kRidge_mm2 = 4;
+constexpr double kNearPath_mm = 20, kFarPath_mm = 40, kWhisper = 1e-3;
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
 /// True when fewer than kOpenRays of kRays directions about the normal (as many as their cosine weighs)
@@ -123,8 +125,8 @@ void carry_inner(const TriMesh& template_mesh, const VertexRings& rings, const P
         const Index from = root[static_cast<std::size_t>(v)];
         if (from < 0 || !around[static_cast<std::size_t>(from)].empty()) continue;
         std::vector<Carrier>& carriers = around[static_cast<std::size_t>(from)];
-        walk(template_mesh.vertices, rings, {from}, kPath_mm, path_mm, [&](const Reached& at) {
-            if (!inner[static_cast<std::size_t>(at.vertex)]) carriers.push_back({at.vertex, 1 - at.path_mm / kPath_mm});
+        walk(template_mesh.vertices, rings, {from}, kFarPath_mm, path_mm, [&](const Reached& at) {
+            if (!inner[static_cast<std::size_t>(at.vertex)]) carriers.push_back({at.vertex, fade((kFarPath_mm - at.path_mm) / (kFarPath_mm - kNearPath_mm))});
         });
         context.check_cancelled();
     }
@@ -136,14 +138,20 @@ void carry_inner(const TriMesh& template_mesh, const VertexRings& rings, const P
     parallel_for(context, hidden.size(), 16, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
             const Index v = hidden[k], from = root[static_cast<std::size_t>(v)];
-            Vector3 sum = Vector3::Zero();
+            Vector3 sum = Vector3::Zero(), place = Vector3::Zero();
+            Matrix3 spread = Matrix3::Zero(), drift = Matrix3::Zero();
             double weights = 0, nearest = kReach_mm * kReach_mm;
             const auto listen = [&](const std::vector<Carrier>& carriers) {
                 for (const Carrier& carrier : carriers) {
-                    const double squared = (rest.row(carrier.vertex) - rest.row(v)).squaredNorm();
+                    const Vector3 off = (rest.row(carrier.vertex) - rest.row(v)).transpose();
+                    const Vector3 moves = moved.row(carrier.vertex).transpose();
+                    const double squared = off.squaredNorm();
                     if (squared >= kReach_mm * kReach_mm) continue;
                     const double weight = carrier.weight * std::exp(-0.5 * squared / (kSpread_mm * kSpread_mm));
-                    sum += weight * moved.row(carrier.vertex).transpose();
+                    sum += weight * moves;
+                    place += weight * off;
+                    spread += weight * off * off.transpose();
+                    drift += weight * moves * off.transpose();
                     weights += weight;
                     nearest = std::min(nearest, squared);
                 }
@@ -152,7 +160,12 @@ void carry_inner(const TriMesh& template_mesh, const VertexRings& rings, const P
             if (from >= 0) listen(around[static_cast<std::size_t>(from)]);
             if (!(weights > 0)) continue;
             const double blend = std::min(1.0, std::sqrt(nearest) / kBlend_mm);
-            places.row(v) += blend * ((sum / weights).transpose() - moved.row(v));
+            sum /= weights;
+            place /= weights;
+            spread = spread / weights - place * place.transpose();
+            drift = drift / weights - sum * place.transpose();
+            const Vector3 carried = sum - drift * (spread + kRidge_mm2 * Matrix3::Identity()).inverse() * place;
+            places.row(v) += blend * (carried.transpose() - moved.row(v));
         }
     });
 }
