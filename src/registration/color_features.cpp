@@ -210,7 +210,8 @@ Eigen::Vector2d ColorFeatures::signals_at(const SurfaceHit& hit) const {
 }
 
 bool ColorFeatures::look(const Feature& feature, const Points& places, const Points& normals,
-                         const CorrespondenceOptions& match, double blur_mm, View& view, const Context& context) const {
+                         const CorrespondenceOptions& match, double blur_mm, Correspondences& found, View& view,
+                         const Context& context) const {
     const Index n = static_cast<Index>(feature.vertices.size());
     Points turned(n, 3);
     view.places.resize(n, 3);
@@ -218,7 +219,6 @@ bool ColorFeatures::look(const Feature& feature, const Points& places, const Poi
         view.places.row(k) = places.row(feature.vertices[static_cast<std::size_t>(k)]);
         turned.row(k) = normals.row(feature.vertices[static_cast<std::size_t>(k)]);
     }
-    Correspondences found;
     find_correspondences(*scan_, view.places, turned, *scan_weight_, match, found, context);
     view.seen.setZero(n);
     view.weight = found.weight;
@@ -253,11 +253,14 @@ bool ColorFeatures::look(const Feature& feature, const Points& places, const Poi
 }
 
 std::vector<ColorPull> ColorFeatures::pulls(const Points& places, const Points& normals, const CorrespondenceOptions& match,
-                                            double blur_mm, const Context& context) const {
+                                            double blur_mm, std::vector<Correspondences>& matches,
+                                            const Context& context) const {
     std::vector<ColorPull> pulls;
     View view;
-    for (const Feature& feature : features_) {
-        if (!look(feature, places, normals, match, blur_mm, view, context)) continue;
+    matches.resize(features_.size());
+    for (std::size_t f = 0; f < features_.size(); ++f) {
+        const Feature& feature = features_[f];
+        if (!look(feature, places, normals, match, blur_mm, matches[f], view, context)) continue;
         const double trust = view.trust * fade((view.correlation - 0.1) / 0.4);
         if (!(trust > 0)) continue;
         const double variance =
@@ -276,7 +279,8 @@ std::vector<ColorAgreement> ColorFeatures::agreements(const Points& places, cons
     std::vector<ColorAgreement> agreements;
     View view;
     for (const Feature& feature : features_) {
-        const bool seen = look(feature, places, normals, match, kSharpest_mm, view, context);
+        Correspondences found;
+        const bool seen = look(feature, places, normals, match, kSharpest_mm, found, view, context);
         agreements.push_back({feature.name, seen ? view.trust * view.correlation : 0});
     }
     return agreements;

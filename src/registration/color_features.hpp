@@ -47,9 +47,9 @@ class ColorFeatures {
     bool empty() const { return features_.empty(); }
 
     /// `places` and `normals`: of all vertices of the template, scan frame. A feature that the scan shows too faintly,
-    /// or quite elsewhere, does not pull.
+    /// or quite elsewhere, does not pull. `matches`: of the round before, or empty; hints for the search.
     std::vector<ColorPull> pulls(const Points& places, const Points& normals, const CorrespondenceOptions& match,
-                                 double blur_mm, const Context& context) const;
+                                 double blur_mm, std::vector<Correspondences>& matches, const Context& context) const;
 
     /// One per feature.
     std::vector<ColorAgreement> agreements(const Points& places, const Points& normals,
@@ -78,7 +78,7 @@ class ColorFeatures {
              const std::vector<double>& inside_mm, double ramp_mm, double around_mm);
     // False when the scan shows nothing of the feature.
     bool look(const Feature& feature, const Points& places, const Points& normals, const CorrespondenceOptions& match,
-              double blur_mm, View& view, const Context& context) const;
+              double blur_mm, Correspondences& found, View& view, const Context& context) const;
 
     const ScanSurface* scan_ = nullptr;
     const Vector* scan_weight_ = nullptr;

@@ -201,7 +201,7 @@ void fit_surface(const DeformationModel& model, const ScanSurface& scan, const V
         add_pins(model, pins, to_model, row_of, terms);
         if (state.colors) {
             const double blur_mm = std::clamp(kColorBlur * sigma, kLeastBlur_mm, kMostBlur_mm);
-            add_colors(model, state.colors->pulls(state.places, normals, match, blur_mm, context), state,
+            add_colors(model, state.colors->pulls(state.places, normals, match, blur_mm, state.color_matches, context), state,
                        options.color_weight * static_cast<double>(stride), row_of, terms);
         }
         const Points before = state.places;

@@ -25,6 +25,7 @@ struct FitState {
     std::vector<std::uint8_t> inner;  ///< #V or empty: vertices without a say (inner.hpp)
     const ColorFeatures* colors = nullptr;  ///< of the scan, or null
     Correspondences matches;
+    std::vector<Correspondences> color_matches;
     Vector final_weight;            ///< #V, of the last round
     std::vector<double> energy;
     int iterations = 0;

@@ -87,6 +87,11 @@ struct Sight {
     }
 };
 
+std::vector<ColorPull> pulls_of(const ColorFeatures& colors, const Points& places, const Points& normals, double blur_mm) {
+    std::vector<Correspondences> matches;
+    return colors.pulls(places, normals, {}, blur_mm, matches, {});
+}
+
 // The shift in the plate that the pulls ask for together.
 Eigen::Vector2d shift_of(const std::vector<ColorPull>& pulls) {
     Eigen::Matrix2d a = 1e-9 * Eigen::Matrix2d::Identity();
@@ -104,7 +109,7 @@ TEST(ColorFeatures, PullTowardsWhereTheFeaturesAre) {
     const Points& rest = face.model.template_mesh.vertices;
     for (const Vector3& shift : {Vector3(0, 3, 0), Vector3(0, -3, 0), Vector3(1.5, 1, 0)}) {
         const Sight sight(face, [&](double x, double y) { return face_paint(x - shift[0], y - shift[1]); });
-        const Eigen::Vector2d found = shift_of(sight.colors.pulls(rest, face.normals, {}, 1.5, {}));
+        const Eigen::Vector2d found = shift_of(pulls_of(sight.colors, rest, face.normals, 1.5));
         EXPECT_LT((found - shift.head<2>()).norm(), 0.35 * shift.norm()) << found.transpose();
     }
 }
@@ -112,14 +117,14 @@ TEST(ColorFeatures, PullTowardsWhereTheFeaturesAre) {
 TEST(ColorFeatures, ABlurredLookFeelsFromAfar) {
     const PaintedFace face = painted_face();
     const Sight sight(face, [&](double x, double y) { return face_paint(x, y - 9); });
-    EXPECT_GT(shift_of(sight.colors.pulls(face.model.template_mesh.vertices, face.normals, {}, 8, {}))[1], 2);
+    EXPECT_GT(shift_of(pulls_of(sight.colors, face.model.template_mesh.vertices, face.normals, 8))[1], 2);
 }
 
 TEST(ColorFeatures, InPlaceDoNotPullAndAgree) {
     const PaintedFace face = painted_face();
     const Sight sight(face, face_paint);
     const Points& rest = face.model.template_mesh.vertices;
-    EXPECT_LT(shift_of(sight.colors.pulls(rest, face.normals, {}, 1.5, {})).norm(), 0.4);  // brows painted as boxes
+    EXPECT_LT(shift_of(pulls_of(sight.colors, rest, face.normals, 1.5)).norm(), 0.4);  // brows painted as boxes
     const std::vector<ColorAgreement> agreements = sight.colors.agreements(rest, face.normals, {}, {});
     ASSERT_EQ(agreements.size(), 3u);
     for (const ColorAgreement& feature : agreements) EXPECT_GT(feature.correlation, 0.8) << feature.name;
@@ -132,7 +137,7 @@ TEST(ColorFeatures, TurnWithTheScan) {
     const Sight here(face, paint), there(face, paint, motion);
     const Points& rest = face.model.template_mesh.vertices;
     const Points moved = motion.apply(PointsRef(rest)), turned = face.normals * motion.rotation.transpose();
-    const auto a = here.colors.pulls(rest, face.normals, {}, 2, {}), b = there.colors.pulls(moved, turned, {}, 2, {});
+    const auto a = pulls_of(here.colors, rest, face.normals, 2), b = pulls_of(there.colors, moved, turned, 2);
     ASSERT_EQ(a.size(), b.size());
     for (std::size_t k = 0; k < a.size(); ++k) {
         EXPECT_LT((motion.rotation * a[k].gradient - b[k].gradient).norm(), 1e-6);
@@ -145,10 +150,10 @@ TEST(ColorFeatures, SayNothingOfAPlainScanNorOfFeaturesElsewhere) {
     const PaintedFace face = painted_face();
     const Points& rest = face.model.template_mesh.vertices;
     const Sight plain(face, [](double, double) { return kSkin; });
-    EXPECT_TRUE(plain.colors.pulls(rest, face.normals, {}, 2, {}).empty());
+    EXPECT_TRUE(pulls_of(plain.colors, rest, face.normals, 2).empty());
     for (const ColorAgreement& feature : plain.colors.agreements(rest, face.normals, {}, {})) EXPECT_EQ(feature.correlation, 0);
     const Sight upside_down(face, [](double x, double y) { return std::abs(y - 40) > 6 && y > 20 ? kHair : is_lip(x, y + 18) ? kLip : kSkin; });
-    EXPECT_TRUE(upside_down.colors.pulls(rest, face.normals, {}, 2, {}).empty());
+    EXPECT_TRUE(pulls_of(upside_down.colors, rest, face.normals, 2).empty());
 }
 
 TEST(ColorFeatures, NeedColorsAndNames) {
@@ -171,7 +176,7 @@ TEST(ColorFeatures, TheZoneOfTheLipsOutranksTheLandmarks) {
         if (is_lip(rest(i, 0), rest(i, 1) - 4)) lips.vertices.push_back(static_cast<std::uint32_t>(i));
     face.model.zones.push_back(lips);
     const Sight sight(face, [](double x, double y) { return is_lip(x, y - 4) ? kLip : kSkin; });
-    EXPECT_LT(shift_of(sight.colors.pulls(rest, face.normals, {}, 1.5, {})).norm(), 0.1);
+    EXPECT_LT(shift_of(pulls_of(sight.colors, rest, face.normals, 1.5)).norm(), 0.1);
 }
 
 TEST(ShutLids, AreSeenByTheirColor) {
