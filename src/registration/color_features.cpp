@@ -137,6 +137,21 @@ Points vertex_gradients(const Points& places, const Triangles& triangles, const 
     return gradient;
 }
 
+struct Shade {
+    double signal, weight;
+};
+
+// The mean of sorted tones between two sums of their weights: a middle that changes smoothly with all of them.
+double mean_between(const std::vector<Shade>& tones, double from, double to) {
+    double sum = 0, before = 0;
+    for (const Shade& tone : tones) {
+        const double after = before + tone.weight;
+        sum += std::max(0.0, std::min(after, to) - std::max(before, from)) * tone.signal;
+        before = after;
+    }
+    return sum / std::max(1e-9, to - from);
+}
+
 double weighted_correlation(const Vector& weight, const Vector& a, const Vector& b) {
     const double sum = weight.sum();
     if (!(sum > 0)) return 0;
@@ -223,21 +238,22 @@ bool ColorFeatures::look(const Feature& feature, const Points& places, const Poi
     view.seen.setZero(n);
     view.weight = found.weight;
     view.expected = feature.expected;
-    std::vector<double> values;
-    double share = 0;
+    std::vector<Shade> tones;
+    double whole = 0, share = 0;
     for (Index k = 0; k < n; ++k) {
         if (!(view.weight[k] > 0)) continue;
         view.seen[k] = signals_at(found.hits[static_cast<std::size_t>(k)])[feature.signal];
-        if (view.weight[k] < 0.1) continue;
-        values.push_back(view.seen[k]);
-        share += view.expected[k];
+        tones.push_back({view.seen[k], view.weight[k]});
+        whole += view.weight[k];
+        share += view.weight[k] * view.expected[k];
     }
-    if (values.size() < kFewest) return false;
+    if (tones.size() < kFewest) return false;
     // The feature's share of the places is known, so its colour is the middle of as many at the one end, and the
     // skin's the middle of the rest, wherever they lie.
-    std::sort(values.begin(), values.end());
-    const std::size_t skin = values.size() - std::min(values.size() - 1, static_cast<std::size_t>(std::lround(share)));
-    const double low = values[skin / 2], contrast = values[(skin + values.size() - 1) / 2] - low;
+    std::sort(tones.begin(), tones.end(), [](const Shade& x, const Shade& y) { return x.signal < y.signal; });
+    const double skin = whole - share;
+    const double low = mean_between(tones, 0.25 * skin, 0.75 * skin);
+    const double contrast = mean_between(tones, skin + 0.25 * share, skin + 0.75 * share) - low;
     const double least = feature.signal == redness ? kContrast_red : kContrast_dark;
     view.trust = fade((contrast - 0.5 * least) / (0.5 * least));
     if (!(view.trust > 0)) return false;

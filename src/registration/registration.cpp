@@ -110,29 +110,34 @@ double opposed_share(const DeformationModel& model, const ScanSurface& scan, con
 
 // Where the field turned a triangle by more than 60 degrees, its corners (and, when that is not enough, their
 // neighbours) go back to where the modes had put them. Lids that close and lips that press fold against the
-// template by right, so the shape before the field is the judge and not the template.
+// template by right, so the shape before the field is the judge and not the template. About the limit they go back by a
+// share: a corner on the verge would go in one frame and stay in another, by rounding.
 Index undo_turns(const Points& before, const Triangles& triangles, const VertexRings& rings, Points& places) {
+    constexpr double kLimit = 0.5, kFade = 0.1;  // cosines
     const Points normals_before = triangle_normals(before, triangles);
     Index undone = 0;
     for (int round = 0; round < 6; ++round) {
         const Points normals = triangle_normals(places, triangles);
-        std::vector<std::uint8_t> back(static_cast<std::size_t>(places.rows()), 0);
+        Vector back = Vector::Zero(places.rows());
         Index turned = 0;
         for (Index t = 0; t < triangles.rows(); ++t) {
             const double scale = normals.row(t).norm() * normals_before.row(t).norm();
-            if (normals.row(t).dot(normals_before.row(t)) >= 0.5 * scale) continue;
-            ++turned;
+            const double excess = kLimit + kFade - (scale > 0 ? normals.row(t).dot(normals_before.row(t)) / scale : 1);
+            if (!(excess > 0)) continue;
+            turned += excess >= kFade;
+            const double share = fade(excess / (2 * kFade));
             for (int k = 0; k < 3; ++k) {
                 const std::uint32_t v = triangles(t, k);
-                back[v] = 1;
-                if (round > 0)
-                    for (std::uint32_t j = rings.begin[v]; j < rings.begin[v + 1]; ++j) back[rings.neighbours[j]] = 1;
+                back[v] = std::max(back[v], share);
+                if (round == 0) continue;
+                for (std::uint32_t j = rings.begin[v]; j < rings.begin[v + 1]; ++j)
+                    back[rings.neighbours[j]] = std::max(back[rings.neighbours[j]], share);
             }
         }
-        if (turned == 0) break;
         undone += turned;
-        for (std::size_t v = 0; v < back.size(); ++v)
-            if (back[v]) places.row(static_cast<Index>(v)) = before.row(static_cast<Index>(v));
+        if (back.maxCoeff() == 0) break;
+        for (Index v = 0; v < places.rows(); ++v)
+            if (back[v] > 0) places.row(v) += back[v] * (before.row(v) - places.row(v));
     }
     return undone;
 }
