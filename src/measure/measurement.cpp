@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "base/error.hpp"
-#include "measure/json_text.hpp"
+#include "base/json_text.hpp"
 #include "measure/pair_check.hpp"
 
 namespace mien {
@@ -139,8 +139,8 @@ std::string measurement_json(const Measurement& m) {
     if (m.volume) {
         json.key("volume");
         json.begin_object();
-        json.field("unit", std::string("mL"));
-        json.field("sign", std::string("positive: the after face lies outside the before face"));
+        json.field("unit", "mL");
+        json.field("sign", "positive: the after face lies outside the before face");
         json.key("zones_disjoint");
         json.boolean(m.volume->zones_disjoint);
         json.key("limit_of_detection_ml");
@@ -162,7 +162,7 @@ std::string measurement_json(const Measurement& m) {
     if (m.distance) {
         json.key("distance");
         json.begin_object();
-        json.field("unit", std::string("mm"));
+        json.field("unit", "mm");
         json.field("hausdorff_mm", m.distance->hausdorff_mm);
         json.key("whole");
         write_distance(json, m.distance->whole);
@@ -175,8 +175,8 @@ std::string measurement_json(const Measurement& m) {
     if (m.curvature) {
         json.key("curvature");
         json.begin_object();
-        json.field("unit", std::string("1/mm, Gaussian 1/mm^2"));
-        json.field("sign", std::string("positive: bulges outwards"));
+        json.field("unit", "1/mm, Gaussian 1/mm^2");
+        json.field("sign", "positive: bulges outwards");
         json.key("whole");
         write_curvature(json, m.curvature->whole);
         json.key("zones");

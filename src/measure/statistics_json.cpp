@@ -5,7 +5,7 @@
 
 #include "base/error.hpp"
 #include "measure/icc.hpp"
-#include "measure/json_text.hpp"
+#include "base/json_text.hpp"
 
 namespace mien {
 namespace {

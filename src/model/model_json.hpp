@@ -11,7 +11,4 @@ namespace mien {
 /// vertex}, "zones": {name: count}, "info": {...}}. Entries of info that are numbers stand as numbers.
 std::string model_json(const DeformationModel& model);
 
-/// Appends a JSON number, or null when it is not finite.
-void append_json_number(std::string& json, double value);
-
 }  // namespace mien

@@ -7,9 +7,8 @@
 
 #include "base/dense.hpp"
 #include "base/error.hpp"
-#include "base/json.hpp"
+#include "base/json_text.hpp"
 #include "model/kernel_basis.hpp"
-#include "model/model_json.hpp"
 
 namespace mien {
 namespace {
@@ -140,39 +139,28 @@ std::vector<Index> select_faces(const FaceDataset& faces, const std::vector<std:
 }
 
 std::string tune_json(const TuneReport& report) {
-    std::string json = "{\"kernel\": ";
-    append_json_string(json, kernel_name(report.kernel.kind));
-    const auto number = [&](const char* key, double value) {
-        json += ", \"";
-        json += key;
-        json += "\": ";
-        append_json_number(json, value);
-    };
-    number("scale_mm", report.kernel.scale_mm);
-    number("nu", report.kernel.nu);
-    number("levels", report.levels);
-    number("rho", report.rho);
-    number("faces", static_cast<double>(report.faces.size()));
-    number("best_sigma_mm", report.points[report.best].sigma_mm);
-    json += ", \"points\": [";
-    for (std::size_t k = 0; k < report.points.size(); ++k) {
-        const TunePoint& point = report.points[k];
-        json += k == 0 ? "{\"sigma_mm\": " : ", {\"sigma_mm\": ";
-        append_json_number(json, point.sigma_mm);
-        number("residual_mean_mm", point.residual_mean);
-        number("residual_sd_mm", point.residual_sd);
-        number("scalar_modes", static_cast<double>(point.report.rank));
-        number("variance_explained", point.report.variance_explained);
-        number("max_variance_error", point.report.max_variance_error);
-        number("negative_mass", point.report.negative_mass);
-        json += ", \"residuals_mm\": [";
-        for (std::size_t i = 0; i < point.residuals.size(); ++i) {
-            if (i != 0) json += ", ";
-            append_json_number(json, point.residuals[i]);
-        }
-        json += "]}";
-    }
-    return json + "]}";
+    JsonText json;
+    json.begin_object()
+        .field("kernel", kernel_name(report.kernel.kind))
+        .field("scale_mm", report.kernel.scale_mm)
+        .field("nu", report.kernel.nu)
+        .field("levels", report.levels)
+        .field("rho", report.rho)
+        .field("faces", report.faces.size())
+        .field("best_sigma_mm", report.points[report.best].sigma_mm);
+    json.key("points").begin_array();
+    for (const TunePoint& point : report.points)
+        json.begin_object()
+            .field("sigma_mm", point.sigma_mm)
+            .field("residual_mean_mm", point.residual_mean)
+            .field("residual_sd_mm", point.residual_sd)
+            .field("scalar_modes", point.report.rank)
+            .field("variance_explained", point.report.variance_explained)
+            .field("max_variance_error", point.report.max_variance_error)
+            .field("negative_mass", point.report.negative_mass)
+            .field("residuals_mm", point.residuals)
+            .end_object();
+    return json.end_array().end_object().take();
 }
 
 }  // namespace mien

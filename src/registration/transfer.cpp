@@ -1,20 +1,9 @@
 #include "registration/transfer.hpp"
 
-#include <charconv>
-
 #include "base/error.hpp"
-#include "base/json.hpp"
+#include "base/json_text.hpp"
 
 namespace mien {
-namespace {
-
-void append_number(std::string& json, double value) {
-    char text[40];
-    json.append(text, std::to_chars(text, text + sizeof text, value).ptr);
-}
-
-}  // namespace
-
 SurfaceTransfer::SurfaceTransfer(const TriMesh& fitted, const TriMesh& scan, const Context& context)
     : fitted_(fitted), scan_(scan) {
     check_mesh(fitted_, "the fitted template");
@@ -71,43 +60,26 @@ std::string transferred_landmarks_json(const SurfaceTransfer& transfer, const st
     }
     const std::vector<SurfaceHit> hits =
         transfer.points(places, TransferDirection::to_scan, max_distance_mm, context);
-    std::string points = "{\"points\":{", distances = "},\"distances_mm\":{";
-    bool first = true;
+    JsonText points, distances;
+    points.begin_object();
+    distances.begin_object();
     for (std::size_t k = 0; k < hits.size(); ++k) {
         if (!hits[k].valid()) continue;
-        if (!first) points += ',', distances += ',';
-        first = false;
-        append_json_string(points, landmarks[k].name);
-        points += ":[";
-        for (int axis = 0; axis < 3; ++axis) {
-            if (axis > 0) points += ',';
-            append_number(points, hits[k].point[axis]);
-        }
-        points += ']';
-        append_json_string(distances, landmarks[k].name);
-        distances += ':';
-        append_number(distances, hits[k].distance());
+        points.field(landmarks[k].name, hits[k].point);
+        distances.field(landmarks[k].name, hits[k].distance());
     }
-    return points + distances + "}}";
+    JsonText json;
+    json.begin_object().key("points").raw(points.end_object().take());
+    return json.key("distances_mm").raw(distances.end_object().take()).end_object().take();
 }
 
 std::string transferred_zones_json(const SurfaceTransfer& transfer, const std::vector<Zone>& zones,
                                    double max_distance_mm, const Context& context) {
-    std::string json = "{\"zones\":{";
-    for (std::size_t z = 0; z < zones.size(); ++z) {
-        if (z > 0) json += ',';
-        append_json_string(json, zones[z].name);
-        json += ":[";
-        bool first = true;
-        for (const std::uint32_t v :
-             transfer.zone(zones[z].vertices, TransferDirection::to_scan, max_distance_mm, context)) {
-            if (!first) json += ',';
-            first = false;
-            json += std::to_string(v);
-        }
-        json += ']';
-    }
-    return json + "}}";
+    JsonText json;
+    json.begin_object().key("zones").begin_object();
+    for (const Zone& zone : zones)
+        json.field(zone.name, transfer.zone(zone.vertices, TransferDirection::to_scan, max_distance_mm, context));
+    return json.end_object().end_object().take();
 }
 
 }  // namespace mien

@@ -99,7 +99,7 @@ TEST_F(Expression, NeutralizesAFaceTowardsItsNeutral) {
     const auto truth = sheet().face(20, 0), before = sheet().face(20, 1);
     EXPECT_LT(distance(result.mesh().positions(), truth), 0.4 * distance(before, truth));
     EXPECT_EQ(result.uncertainty().size(), truth.size());
-    EXPECT_NE(result.json().find("\"expression\": \"up\""), std::string::npos);
+    EXPECT_NE(result.json().find("\"expression\":\"up\""), std::string::npos);
     EXPECT_EQ(result.mesh().triangles(), sheet().triangles);
 }
 

@@ -76,7 +76,7 @@ TEST(AbiModel, BuildsSavesAndLoadsTheSameModel) {
     EXPECT_EQ(scalar, 30u);
     EXPECT_EQ(vector, 0u);
     EXPECT_NE(json_of(built.get()).find("\"geodesic-se\""), std::string::npos);
-    EXPECT_NE(json_of(built.get()).find("\"chin\": 5"), std::string::npos);
+    EXPECT_NE(json_of(built.get()).find("\"chin\":5"), std::string::npos);
     const std::string path = temporary_path("model.safetensors");
     ASSERT_EQ(MIEN_OK, mien_model_save(session, built.get(), path.c_str(), nullptr));
     for (auto load : {mien_model_load, mien_model_load_trusted}) {
@@ -208,7 +208,7 @@ TEST(AbiModel, TuningNamesTheBestSigma) {
         << error.message;
     char text[8192];
     ASSERT_EQ(MIEN_OK, mien_tuning_get_json(tuning, text, sizeof text, nullptr, nullptr));
-    EXPECT_NE(std::strstr(text, "\"best_sigma_mm\": 25"), nullptr) << text;
+    EXPECT_NE(std::strstr(text, "\"best_sigma_mm\":25"), nullptr) << text;
     mien_tuning_release(tuning);
     options.sigma_count = 0;
     EXPECT_EQ(MIEN_E_INVALID_ARGUMENT,

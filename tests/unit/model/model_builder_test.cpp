@@ -366,10 +366,10 @@ TEST(ModelJson, IsOneObjectWithNumbersAndNames) {
     const BuiltModel built = build_deformation_model(mesh, {{"no\"se", 4}}, {{"brow", {1, 2}}},
                                                      options_of(KernelKind::bspline, 40, 30), {});
     const std::string json = model_json(*built.model);
-    EXPECT_NE(json.find("\"no\\\"se\": 4"), std::string::npos) << json;
-    EXPECT_NE(json.find("\"brow\": 2"), std::string::npos);
-    EXPECT_NE(json.find("\"kernel\": \"bspline\""), std::string::npos);
-    EXPECT_NE(json.find("\"sigma_mm\": 40"), std::string::npos);
+    EXPECT_NE(json.find("\"no\\\"se\":4"), std::string::npos) << json;
+    EXPECT_NE(json.find("\"brow\":2"), std::string::npos);
+    EXPECT_NE(json.find("\"kernel\":\"bspline\""), std::string::npos);
+    EXPECT_NE(json.find("\"sigma_mm\":40"), std::string::npos);
 }
 
 }  // namespace

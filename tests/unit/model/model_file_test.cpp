@@ -127,7 +127,7 @@ TEST(Tuning, FindsTheSigmaThatMadeTheFaces) {
         EXPECT_GE(point.residual_mean, report.points[report.best].residual_mean);
     }
     const std::string json = tune_json(report);
-    EXPECT_NE(json.find("\"best_sigma_mm\": 18"), std::string::npos);
+    EXPECT_NE(json.find("\"best_sigma_mm\":18"), std::string::npos);
     options.sigmas_mm.clear();
     EXPECT_THROW(tune_kernel(mesh, faces, options, {}), Error);
     options.sigmas_mm = {10};
