@@ -3,7 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "registration/feature_places.hpp"
 
 namespace mien {
 namespace {
@@ -16,82 +17,6 @@ constexpr double kNoise = 0.15;      // of what is seen, at the least, of a cont
 constexpr double kShared = 2;        // how much more a brow of another shape weighs, which errs along whole edges
 constexpr double kSharpest_mm = 1;   // blur of a look that does not have to feel from afar
 constexpr std::size_t kFewest = 10;  // vertices that see the scan
-
-// Places of prefix0, prefix1, ... at rest; empty when one is missing.
-std::vector<Vector3> landmark_places(const DeformationModel& model, const std::string& prefix, int count, int digits) {
-    std::vector<Vector3> places;
-    for (int k = 0; k < count; ++k) {
-        std::string number = std::to_string(k);
-        number.insert(0, static_cast<std::size_t>(std::max(0, digits - static_cast<int>(number.size()))), '0');
-        for (const Landmark& landmark : model.landmarks)
-            if (landmark.name == prefix + number)
-                places.push_back(model.template_mesh.vertices.row(landmark.vertex).transpose());
-    }
-    return static_cast<int>(places.size()) == count ? places : std::vector<Vector3>();
-}
-
-double distance_to_line(const Vector3& point, const std::vector<Vector3>& line, bool closed) {
-    double best = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k + (closed ? 0 : 1) < line.size(); ++k) {
-        const Vector3& from = line[k];
-        const Vector3 along = line[(k + 1) % line.size()] - from;
-        const double squared = along.squaredNorm();
-        const double t = squared > 0 ? std::clamp((point - from).dot(along) / squared, 0.0, 1.0) : 0;
-        best = std::min(best, (point - from - t * along).norm());
-    }
-    return best;
-}
-
-// Whether the point lies within the ring, seen along the ring's own normal.
-bool is_within(const Vector3& point, const std::vector<Vector3>& ring) {
-    Vector3 centre = Vector3::Zero(), normal = Vector3::Zero();
-    for (const Vector3& corner : ring) centre += corner / static_cast<double>(ring.size());
-    for (std::size_t k = 0; k < ring.size(); ++k) normal += (ring[k] - centre).cross(ring[(k + 1) % ring.size()] - centre);
-    if (!(normal.norm() > 0)) return false;
-    normal.normalize();
-    const Vector3 across = normal.unitOrthogonal(), up = normal.cross(across);
-    const double x = across.dot(point - centre), y = up.dot(point - centre);
-    bool within = false;
-    for (std::size_t k = 0; k < ring.size(); ++k) {
-        const Vector3 a = ring[k] - centre, b = ring[(k + 1) % ring.size()] - centre;
-        const double ax = across.dot(a), ay = up.dot(a), bx = across.dot(b), by = up.dot(b);
-        if ((ay > y) != (by > y) && x < ax + (y - ay) / (by - ay) * (bx - ax)) within = !within;
-    }
-    return within;
-}
-
-// Signed distance of every vertex to the rim of a zone, positive inside; false when it has no rim.
-bool inside_zone(const TriMesh& mesh, const Zone& zone, std::vector<double>& inside_mm, const Context& context) {
-    std::vector<std::uint8_t> member(inside_mm.size(), 0);
-    for (const std::uint32_t v : zone.vertices) member[v] = 1;
-    std::vector<Vector3> rim;
-    for (Index t = 0; t < mesh.triangles.rows(); ++t)
-        for (int k = 0; k < 3; ++k) {
-            const std::uint32_t a = mesh.triangles(t, k), b = mesh.triangles(t, (k + 1) % 3);
-            if (member[a] && !member[b]) rim.push_back(0.5 * (mesh.vertices.row(a) + mesh.vertices.row(b)).transpose());
-        }
-    if (rim.empty()) return false;
-    const TriangleTree tree(Eigen::Map<const Points>(rim.front().data(), static_cast<Index>(rim.size()), 3), Triangles(0, 3), context);
-    for (std::size_t i = 0; i < inside_mm.size(); ++i) {
-        const double distance = tree.closest(mesh.vertices.row(static_cast<Index>(i)).transpose()).distance();
-        inside_mm[i] = member[i] ? distance : -distance;
-    }
-    return true;
-}
-
-bool inside_lips(const DeformationModel& model, std::vector<double>& inside_mm, const Context& context) {
-    for (const Zone& zone : model.zones)
-        if (zone.name == "lips") return inside_zone(model.template_mesh, zone, inside_mm, context);
-    const std::vector<Vector3> ring = landmark_places(model, "mouth_outer_", 12, 2);
-    if (ring.empty()) return false;
-    constexpr double kDepth_mm = 20;  // the throat and the nape lie within the ring too, seen from the front
-    for (std::size_t i = 0; i < inside_mm.size(); ++i) {
-        const Vector3 at = model.template_mesh.vertices.row(static_cast<Index>(i)).transpose();
-        const double distance = distance_to_line(at, ring, true);
-        inside_mm[i] = distance < kDepth_mm && is_within(at, ring) ? distance : -distance;
-    }
-    return true;
-}
 
 // Rounds of averaging with the neighbours, each value by its weight.
 void blur(const VertexRings& rings, int rounds, Vector& values, Vector& weights) {
@@ -171,15 +96,9 @@ ColorFeatures::ColorFeatures(const DeformationModel& model, const std::vector<st
     signals_.resize(colors.rows(), 2);
     signals_.col(redness) = (light.col(0) / light.col(1)).log();
     signals_.col(darkness) = -(0.299f * light.col(0) + 0.587f * light.col(1) + 0.114f * light.col(2)).log();
-    std::vector<double> inside(static_cast<std::size_t>(model.num_vertices()));
-    for (const char* brow : {"brow_right", "brow_left"}) {
-        const std::vector<Vector3> line = landmark_places(model, std::string(brow) + "_", 5, 1);
-        if (line.empty()) continue;
-        for (std::size_t i = 0; i < inside.size(); ++i)
-            inside[i] = kBrow_mm - distance_to_line(model.template_mesh.vertices.row(static_cast<Index>(i)).transpose(), line, false);
-        add(brow, darkness, model, inner, inside, kBrowEdge_mm, kBrowSkin_mm);
-    }
-    if (inside_lips(model, inside, context)) add("lips", redness, model, inner, inside, kLipEdge_mm, kLipSkin_mm);
+    add("brow_right", darkness, model, inner, inside_brow_mm(model, "right", kBrow_mm), kBrowEdge_mm, kBrowSkin_mm);
+    add("brow_left", darkness, model, inner, inside_brow_mm(model, "left", kBrow_mm), kBrowEdge_mm, kBrowSkin_mm);
+    add("lips", redness, model, inner, inside_lips_mm(model, context), kLipEdge_mm, kLipSkin_mm);
 }
 
 void ColorFeatures::add(const char* name, Signal signal, const DeformationModel& model,
