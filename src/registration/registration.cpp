@@ -290,6 +290,8 @@ RegistrationResult register_scan(const DeformationModel& model, const TriMesh& r
         start_freely(model, scan, scan_weight, options, state, context);
         const std::vector<Pin> lids = shut_lids(model, scan, state, options.landmark_sigma_mm, context);
         held.insert(held.end(), lids.begin(), lids.end());
+        options.data_weight = options.free_data_weight;
+        options.color_weight = options.free_color_weight;
     }
     context.progress(Stage::alignment, 1);
 

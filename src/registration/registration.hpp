@@ -72,6 +72,8 @@ struct RegistrationOptions {
     double approach_tangential = 0.02;
     Index approach_pca_modes = 40;
     Index approach_scalar_modes = 20;
+    double free_data_weight = 0.02;    ///< of the fit after it: hits that slide together tell less
+    double free_color_weight = 0.13;
     // Rest
     bool close_gap = true;           ///< smooth residual field along the normals
     double gap_smoothness = 20;
