@@ -49,6 +49,8 @@ void add_turn(const ScanSurface& scan, const SurfaceHit& hit, const Vector3& see
     terms.add(row, weight * squared, weight * (squared * target + bend * (to_model.rotation * turn)));
 }
 
+// What lips and brows ask for (color_features.hpp), carried into the model's frame: where a vertex should end is
+// known in the gradient's direction only.
 void add_colors(const DeformationModel& model, const std::vector<ColorPull>& pulls, const FitState& state,
                 double precision, const std::vector<Index>& row_of, FitTerms& terms) {
     const Matrix3 to_model = state.motion.scale * state.motion.rotation.transpose();  // of a gradient
