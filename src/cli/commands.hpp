@@ -37,7 +37,7 @@ struct NamedPoint {
 std::vector<NamedPoint> read_landmark_points(const std::string& path);
 /// Landmark files {"vertices": {name: index}} of a template.
 std::vector<std::pair<std::string, std::uint32_t>> read_landmark_vertices(const std::string& path);
-/// Zone files {"zones": {name: [vertex, ...]}}.
+/// Zone files {"zones": {name: [vertex, ...]}}; `beside`: names of lists that may stand beside "zones" and are zones too.
 std::vector<std::pair<std::string, std::vector<std::uint32_t>>> read_zones(const std::string& path,
                                                                              const std::vector<std::string>& beside = {});
 

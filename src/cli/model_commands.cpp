@@ -138,7 +138,7 @@ void add_build(CLI::App& parent) {
         ->check(CLI::IsMember(keys(boundaries())))
         ->capture_default_str();
     command.add_option("--landmarks", settings->landmarks, "landmark vertices of the template, JSON");
-    command.add_option("--zones", settings->zones, "zones of the template, JSON");
+    command.add_option("--zones", settings->zones, "zones of the template, JSON {\"zones\": {name: [vertex, ...]}}, perhaps with \"lips\": [vertex, ...] beside them");
     // A scan may show any expression, and a fit needs the small modes too: so all faces, and nearly all variance.
     model.pca_all_expressions = true;
     model.pca_variance = 0.999;

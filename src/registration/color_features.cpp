@@ -14,7 +14,7 @@ constexpr double kBrow_mm = 3.5, kBrowEdge_mm = 3, kBrowSkin_mm = 14, kLipEdge_m
 // In logarithms, as the signals; below half of it nothing is seen.
 constexpr double kContrast_red = 0.1, kContrast_dark = 0.2;
 constexpr double kNoise = 0.15;      // of what is seen, at the least, of a contrast of 1
-constexpr double kShared = 2;        // how much more a brow of another shape weighs, which errs along whole edges
+constexpr double kShared = 2;        // factor on the mean square seen: a brow of another shape errs along whole edges
 constexpr double kSharpest_mm = 1;   // blur of a look that does not have to feel from afar
 constexpr std::size_t kFewest = 10;  // vertices that see the scan
 

@@ -105,6 +105,36 @@ Vector close_gap(const ScanSurface& scan, const Vector& scan_weight, const Trian
     return weight;
 }
 
+Index undo_turns(const Points& before, const Triangles& triangles, const VertexRings& rings, Points& places) {
+    constexpr double kLimit = 0.5, kFade = 0.1;  // cosines
+    const Points normals_before = triangle_normals(before, triangles);
+    Index undone = 0;
+    for (int round = 0; round < 6; ++round) {
+        const Points normals = triangle_normals(places, triangles);
+        Vector back = Vector::Zero(places.rows());
+        Index turned = 0;
+        for (Index t = 0; t < triangles.rows(); ++t) {
+            const double scale = normals.row(t).norm() * normals_before.row(t).norm();
+            const double excess = kLimit + kFade - (scale > 0 ? normals.row(t).dot(normals_before.row(t)) / scale : 1);
+            if (!(excess > 0)) continue;
+            turned += excess >= kFade;
+            const double share = fade(excess / (2 * kFade));
+            for (int k = 0; k < 3; ++k) {
+                const std::uint32_t v = triangles(t, k);
+                back[v] = std::max(back[v], share);
+                if (round == 0) continue;
+                for (std::uint32_t j = rings.begin[v]; j < rings.begin[v + 1]; ++j)
+                    back[rings.neighbours[j]] = std::max(back[rings.neighbours[j]], share);
+            }
+        }
+        undone += turned;
+        if (back.maxCoeff() == 0) break;
+        for (Index v = 0; v < places.rows(); ++v)
+            if (back[v] > 0) places.row(v) += back[v] * (before.row(v) - places.row(v));
+    }
+    return undone;
+}
+
 namespace {
 
 // The vertices within `reach` rings of a triangle's corners.

@@ -35,6 +35,12 @@ Vector close_gap(const ScanSurface& scan, const Vector& scan_weight, const Trian
                  const Vector& trust, const CorrespondenceOptions& match, const GapOptions& options, Points& places,
                  const Context& context);
 
+/// Where the field turned a triangle by more than 60 degrees against `before`, its corners (and, when that is not enough,
+/// their neighbours) go back there. Lids that close and lips that press fold against the template by right, so the shape
+/// before the field is the judge and not the template. About the limit they go back by a share: a corner on the verge
+/// would go in one frame and stay in another, by rounding. Returns the number of turned triangles, of all rounds.
+Index undo_turns(const Points& before, const Triangles& triangles, const VertexRings& rings, Points& places);
+
 /// A triangle that lies otherwise than its neighbourhood carries it.
 struct TurnedTriangle {
     std::uint32_t triangle;

@@ -108,40 +108,6 @@ double opposed_share(const DeformationModel& model, const ScanSurface& scan, con
     return near > 0 ? static_cast<double>(opposed) / static_cast<double>(near) : 0;
 }
 
-// Where the field turned a triangle by more than 60 degrees, its corners (and, when that is not enough, their
-// neighbours) go back to where the modes had put them. Lids that close and lips that press fold against the
-// template by right, so the shape before the field is the judge and not the template. About the limit they go back by a
-// share: a corner on the verge would go in one frame and stay in another, by rounding.
-Index undo_turns(const Points& before, const Triangles& triangles, const VertexRings& rings, Points& places) {
-    constexpr double kLimit = 0.5, kFade = 0.1;  // cosines
-    const Points normals_before = triangle_normals(before, triangles);
-    Index undone = 0;
-    for (int round = 0; round < 6; ++round) {
-        const Points normals = triangle_normals(places, triangles);
-        Vector back = Vector::Zero(places.rows());
-        Index turned = 0;
-        for (Index t = 0; t < triangles.rows(); ++t) {
-            const double scale = normals.row(t).norm() * normals_before.row(t).norm();
-            const double excess = kLimit + kFade - (scale > 0 ? normals.row(t).dot(normals_before.row(t)) / scale : 1);
-            if (!(excess > 0)) continue;
-            turned += excess >= kFade;
-            const double share = fade(excess / (2 * kFade));
-            for (int k = 0; k < 3; ++k) {
-                const std::uint32_t v = triangles(t, k);
-                back[v] = std::max(back[v], share);
-                if (round == 0) continue;
-                for (std::uint32_t j = rings.begin[v]; j < rings.begin[v + 1]; ++j)
-                    back[rings.neighbours[j]] = std::max(back[rings.neighbours[j]], share);
-            }
-        }
-        undone += turned;
-        if (back.maxCoeff() == 0) break;
-        for (Index v = 0; v < places.rows(); ++v)
-            if (back[v] > 0) places.row(v) += back[v] * (before.row(v) - places.row(v));
-    }
-    return undone;
-}
-
 // Fills the verdict's measures from the finished fit.
 void assess(const DeformationModel& model, const ScanSurface& scan, const std::vector<Pin>& pins,
             const FitState& state, RegistrationResult& result) {

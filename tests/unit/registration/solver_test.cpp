@@ -211,6 +211,29 @@ TEST(Folds, TurnWithTheirNeighbourhoodAreNone) {
     EXPECT_TRUE(find_turned(sheet.vertices, sheet.triangles, rings, turned, 0.5).empty());
 }
 
+// A vertex is pushed up until its triangles turn by more than 60 degrees. Cut at the limit, it fell back at once.
+TEST(Folds, TurnsAreUndoneByShares) {
+    TriMesh sheet = face_sheet(12);
+    sheet.vertices.col(2).setZero();
+    const VertexRings rings = build_rings(sheet.vertices.rows(), sheet.triangles);
+    const Index middle = 6 * 13 + 6;
+    const auto left = [&](double height) {
+        Points places = sheet.vertices;
+        places(middle, 2) = height;
+        undo_turns(sheet.vertices, sheet.triangles, rings, places);
+        return places(middle, 2);
+    };
+    EXPECT_EQ(left(5), 5);
+    EXPECT_LT(left(200), 1);
+    double before = left(5), jump = 0;
+    for (double height = 5; height < 60; height += 0.01) {
+        const double now = left(height);
+        jump = std::max(jump, std::abs(now - before));
+        before = now;
+    }
+    EXPECT_LT(jump, 0.5);
+}
+
 TEST(Gap, IsClosedSmoothly) {
     const TriMesh sheet = face_sheet(40);
     TriMesh target = sheet;
