@@ -8,8 +8,9 @@ namespace {
 
 template <typename Scalar>
 void read_rows(const mien_array_view& view, int columns, double* out) {
-    const std::size_t stride = view.stride_bytes != 0 ? static_cast<std::size_t>(view.stride_bytes)
-                                                      : sizeof(Scalar) * static_cast<std::size_t>(columns);
+    const std::size_t stride = view.stride_bytes != 0
+                                   ? static_cast<std::size_t>(view.stride_bytes)
+                                   : sizeof(Scalar) * static_cast<std::size_t>(columns);
     const auto* row = static_cast<const unsigned char*>(view.data);
     for (std::uint64_t i = 0; i < view.count; ++i, row += stride)
         for (int k = 0; k < columns; ++k)
@@ -22,8 +23,8 @@ void read_any(const mien_array_view& view, int columns, const char* name, double
     else if (view.dtype == MIEN_DTYPE_F64)
         read_rows<double>(view, columns, out);
     else
-        fail(Status::invalid_argument, "%s.dtype is %d, must be MIEN_DTYPE_F32 or MIEN_DTYPE_F64", name,
-             view.dtype);
+        fail(Status::invalid_argument, "%s.dtype is %d, must be MIEN_DTYPE_F32 or MIEN_DTYPE_F64",
+             name, view.dtype);
 }
 
 }  // namespace
@@ -54,7 +55,8 @@ void check_view(const mien_array_view& view, int columns, const char* name) {
     if (stride < row)
         fail(Status::invalid_argument, "%s.stride_bytes is %llu, a row has %llu", name,
              static_cast<unsigned long long>(stride), static_cast<unsigned long long>(row));
-    if (view.count > static_cast<std::uint64_t>(std::numeric_limits<std::ptrdiff_t>::max()) / stride ||
+    if (view.count >
+            static_cast<std::uint64_t>(std::numeric_limits<std::ptrdiff_t>::max()) / stride ||
         view.count > static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max()))
         fail(Status::invalid_argument, "%s.count is %llu, more than can be addressed", name,
              static_cast<unsigned long long>(view.count));
@@ -126,11 +128,13 @@ void copy_rows(const void* source, std::uint64_t rows, std::size_t row_bytes, vo
 void copy_doubles(const double* source, std::uint64_t rows, std::uint64_t columns, mien_dtype dtype,
                   void* dst, std::uint64_t capacity, std::uint64_t* count) {
     if (dtype != MIEN_DTYPE_F32 && dtype != MIEN_DTYPE_F64)
-        fail(Status::invalid_argument, "dtype is %d, must be MIEN_DTYPE_F32 or MIEN_DTYPE_F64", dtype);
+        fail(Status::invalid_argument, "dtype is %d, must be MIEN_DTYPE_F32 or MIEN_DTYPE_F64",
+             dtype);
     if (!wants_copy(rows, dst, capacity, count)) return;
     const std::uint64_t values = rows * columns;
     if (dtype == MIEN_DTYPE_F64) {
-        if (values != 0) std::memcpy(dst, source, static_cast<std::size_t>(values) * sizeof(double));
+        if (values != 0)
+            std::memcpy(dst, source, static_cast<std::size_t>(values) * sizeof(double));
         return;
     }
     auto* out = static_cast<float*>(dst);

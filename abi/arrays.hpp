@@ -29,19 +29,20 @@ Points read_points(const mien_array_view& view, const char* name);
 /// Reads a #rows x 1 F32 or F64 view as float64.
 Vector read_values(const mien_array_view& view, const char* name);
 
-/// Throws for null (unless count is 0), for misalignment and for a count above `most`, before anything
-/// is read: a count that nothing honest can have is a mistake of the host's, and following it would run
-/// off the end of its array.
+/// Throws for null (unless count is 0), for misalignment and for a count above `most`, before
+/// anything is read: a count that nothing honest can have is a mistake of the host's, and following
+/// it would run off the end of its array.
 void check_array(const void* data, std::uint64_t count, std::size_t alignment, std::uint64_t most,
                  const char* name);
 /// A copy of a checked array.
 template <typename T>
-std::vector<T> read_array(const T* data, std::uint64_t count, std::uint64_t most, const char* name) {
+std::vector<T> read_array(const T* data, std::uint64_t count, std::uint64_t most,
+                          const char* name) {
     check_array(data, count, alignof(T), most, name);
     return count == 0 ? std::vector<T>() : std::vector<T>(data, data + count);
 }
-/// Writes a number that a host asked for; a null `out` asks for none. Byte by byte: a misaligned `out` gets
-/// its number too.
+/// Writes a number that a host asked for; a null `out` asks for none. Byte by byte: a misaligned
+/// `out` gets its number too.
 template <typename T, typename Value>
 void store(T* out, const Value& value) {
     if (out == nullptr) return;
@@ -55,8 +56,8 @@ void check_output(const T* out, const char* name) {
         fail(Status::invalid_argument, "%s is not aligned to its values", name);
 }
 
-/// A set of vertices of a surface with num_vertices: never more numbers than that. Whether each is in
-/// range is for the core to say.
+/// A set of vertices of a surface with num_vertices: never more numbers than that. Whether each is
+/// in range is for the core to say.
 std::vector<std::uint32_t> read_vertices(const std::uint32_t* vertices, std::uint64_t count,
                                          Index num_vertices, const char* name);
 

@@ -62,8 +62,9 @@ DatasetPairs open_pairs(const char* path, const char* expression, const Context&
 }
 
 mien_blendshape_options read_blendshape_options(const mien_blendshape_options* options) {
-    const mien_blendshape_options given = read_options(
-        options, mien_blendshape_options{}, MIEN_FIRST_SIZE(mien_blendshape_options, cancel), "options");
+    const mien_blendshape_options given =
+        read_options(options, mien_blendshape_options{},
+                     MIEN_FIRST_SIZE(mien_blendshape_options, cancel), "options");
     if (given.reserved != 0) fail(Status::unsupported_option, "options.reserved is not zero");
     check_numbers({{"ridge", given.ridge}});
     return given;
@@ -73,7 +74,8 @@ mien_blendshape_options read_blendshape_options(const mien_blendshape_options* o
 
 extern "C" {
 
-mien_status MIEN_CALL mien_transfer_expression(mien_session* session, const mien_mesh* source_neutral,
+mien_status MIEN_CALL mien_transfer_expression(mien_session* session,
+                                               const mien_mesh* source_neutral,
                                                const mien_mesh* source_expression,
                                                const mien_mesh* target_neutral, mien_mesh** out,
                                                mien_error* error) {
@@ -116,7 +118,8 @@ mien_status MIEN_CALL mien_blendshape_model_load(mien_session* session, const ch
     });
 }
 
-mien_status MIEN_CALL mien_blendshape_model_save(mien_session* session, const mien_blendshape_model* model,
+mien_status MIEN_CALL mien_blendshape_model_save(mien_session* session,
+                                                 const mien_blendshape_model* model,
                                                  const char* path, mien_error* error) {
     return guarded(error, [&] {
         const Call call(session);
@@ -124,8 +127,8 @@ mien_status MIEN_CALL mien_blendshape_model_save(mien_session* session, const mi
     });
 }
 
-mien_status MIEN_CALL mien_blendshape_model_get_mean(const mien_blendshape_model* model, mien_mesh** out,
-                                                     mien_error* error) {
+mien_status MIEN_CALL mien_blendshape_model_get_mean(const mien_blendshape_model* model,
+                                                     mien_mesh** out, mien_error* error) {
     return guarded_create(out, error, [&] {
         const TriMesh& mean = checked(model, "model").data->mean();
         return make_mesh(Points(mean.vertices), mean.triangles);
@@ -140,12 +143,14 @@ mien_status MIEN_CALL mien_blendshape_model_predict(mien_session* session,
     return guarded_create(out, error, [&] {
         const BlendshapeModel& data = *checked(model, "model").data;
         const TriMesh& face = *checked(neutral, "neutral").mesh;
-        const SpectralBasis* bands = basis != nullptr ? checked(basis, "basis").data.get() : nullptr;
+        const SpectralBasis* bands =
+            basis != nullptr ? checked(basis, "basis").data.get() : nullptr;
         const Call call(session);
         BlendshapeModel::Prediction prediction = data.predict(face.vertices, call.context());
         if (bands == nullptr)
-            return make_mesh(k == 0 ? std::move(prediction.differential) : std::move(prediction.spatial),
-                             data.mean().triangles);
+            return make_mesh(
+                k == 0 ? std::move(prediction.differential) : std::move(prediction.spatial),
+                data.mean().triangles);
         return make_mesh(assemble(*bands, prediction.spatial, prediction.differential, as_index(k),
                                   call.context()),
                          data.mean().triangles);
@@ -154,8 +159,9 @@ mien_status MIEN_CALL mien_blendshape_model_predict(mien_session* session,
 
 mien_status MIEN_CALL mien_blendshape_model_search(
     mien_session* session, const mien_blendshape_model* model, const mien_spectral_basis* basis,
-    const char* dataset_path, const char* expression, const uint64_t* candidates, uint32_t candidate_count,
-    const mien_blendshape_options* options, mien_band_choice* choices, mien_error* error) {
+    const char* dataset_path, const char* expression, const uint64_t* candidates,
+    uint32_t candidate_count, const mien_blendshape_options* options, mien_band_choice* choices,
+    mien_error* error) {
     return guarded(error, [&] {
         const mien_blendshape_options given = read_blendshape_options(options);
         const BlendshapeModel& data = *checked(model, "model").data;
@@ -164,20 +170,30 @@ mien_status MIEN_CALL mien_blendshape_model_search(
         if (candidates == nullptr || choices == nullptr)
             fail(Status::invalid_argument, "candidates or choices is null");
         if (candidate_count < 1 || candidate_count > 10000)
-            fail(Status::invalid_argument, "candidate_count is %u, allowed are 1 to 10000", candidate_count);
+            fail(Status::invalid_argument, "candidate_count is %u, allowed are 1 to 10000",
+                 candidate_count);
         check_array(candidates, candidate_count, alignof(std::uint64_t), 10000, "candidates");
         check_output(choices, "choices");
         std::vector<Index> tried;
-        for (std::uint32_t i = 0; i < candidate_count; ++i) tried.push_back(as_index(candidates[i]));
+        for (std::uint32_t i = 0; i < candidate_count; ++i)
+            tried.push_back(as_index(candidates[i]));
         const DatasetPairs faces = open_pairs(dataset_path, expression, call.context());
         const auto found = search_band_limit(data, bands, faces.pairs(), tried, call.context());
         for (std::uint32_t i = 0; i < candidate_count; ++i)
-            choices[i] = {candidates[i], found[i].l1_mm, found[i].dame, found[i].fmpd,
-                          found[i].on_front ? 1 : 0, found[i].chosen ? 1 : 0};
+            choices[i] = {candidates[i],
+                          found[i].l1_mm,
+                          found[i].dame,
+                          found[i].fmpd,
+                          found[i].on_front ? 1 : 0,
+                          found[i].chosen ? 1 : 0};
     });
 }
 
-void MIEN_CALL mien_blendshape_model_retain(mien_blendshape_model* model) { retain(model); }
-void MIEN_CALL mien_blendshape_model_release(mien_blendshape_model* model) { release(model); }
+void MIEN_CALL mien_blendshape_model_retain(mien_blendshape_model* model) {
+    retain(model);
+}
+void MIEN_CALL mien_blendshape_model_release(mien_blendshape_model* model) {
+    release(model);
+}
 
 }  // extern "C"

@@ -27,13 +27,14 @@ extern "C" {
 
 mien_status MIEN_CALL mien_dataset_writer_create(mien_session* session, const mien_mesh* topology,
                                                  const char* const* expression_names,
-                                                 uint32_t expression_count, mien_dataset_writer** out,
-                                                 mien_error* error) {
+                                                 uint32_t expression_count,
+                                                 mien_dataset_writer** out, mien_error* error) {
     return guarded_create(out, error, [&] {
         checked(session, "session");
         const TriMesh& mesh = *checked(topology, "topology").mesh;
         if (expression_count == 0) fail(Status::invalid_argument, "expression_count is 0");
-        check_array(expression_names, expression_count, alignof(const char*), 1000000, "expression_names");
+        check_array(expression_names, expression_count, alignof(const char*), 1000000,
+                    "expression_names");
         std::vector<std::string> names;
         for (uint32_t i = 0; i < expression_count; ++i)
             names.emplace_back(checked_text(expression_names[i], "an expression name"));
@@ -62,14 +63,17 @@ mien_status MIEN_CALL mien_dataset_writer_add(mien_dataset_writer* writer,
     });
 }
 
-mien_status MIEN_CALL mien_dataset_writer_save(mien_session* session, const mien_dataset_writer* writer,
-                                               const char* path, mien_error* error) {
+mien_status MIEN_CALL mien_dataset_writer_save(mien_session* session,
+                                               const mien_dataset_writer* writer, const char* path,
+                                               mien_error* error) {
     return guarded(error, [&] {
         const Call call(session);
         checked(writer, "writer").writer.save(checked_text(path, "path"), call.context());
     });
 }
 
-void MIEN_CALL mien_dataset_writer_release(mien_dataset_writer* writer) { release(writer); }
+void MIEN_CALL mien_dataset_writer_release(mien_dataset_writer* writer) {
+    release(writer);
+}
 
 }  // extern "C"

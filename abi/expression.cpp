@@ -3,9 +3,9 @@
 #include "arrays.hpp"
 #include "expression/neutralize_mesh.hpp"
 #include "expression/report_json.hpp"
-#include "expression/training.hpp"
 #include "expression/sampling.hpp"
 #include "expression/scan_transfer.hpp"
+#include "expression/training.hpp"
 #include "expression_options.hpp"
 #include "guard.hpp"
 #include "memory_file.hpp"
@@ -64,7 +64,8 @@ NeutralizeMeshOptions read_neutralize_options(const mien_neutralize_options& giv
 
 Vector read_coordinates(const mien_array_view* view, const char* name) {
     check_output(view, name);
-    return view == nullptr || checked_view(view, name).count == 0 ? Vector() : read_values(*view, name);
+    return view == nullptr || checked_view(view, name).count == 0 ? Vector()
+                                                                  : read_values(*view, name);
 }
 
 mien_neutralization* neutralize_face(mien_session* session, const ExpressionModel& model,
@@ -121,8 +122,8 @@ void check_fit(std::int32_t method, const char* name) {
 TrainOptions read_train_options(const mien_train_options& given) {
     TrainOptions options;
     if (given.method != MIEN_TRAIN_JPCA && given.method != MIEN_TRAIN_QOJPCA)
-        fail(Status::invalid_argument, "options.method is %d; use MIEN_TRAIN_JPCA or MIEN_TRAIN_QOJPCA",
-             given.method);
+        fail(Status::invalid_argument,
+             "options.method is %d; use MIEN_TRAIN_JPCA or MIEN_TRAIN_QOJPCA", given.method);
     check_numbers({{"lambda", given.lambda},
                    {"lambda_factor", given.lambda_factor},
                    {"angle_tolerance_rad", given.angle_tolerance_rad}});
@@ -146,8 +147,8 @@ void check_pose(std::int32_t pose) {
 }
 
 mien_train_options given_train_options(const mien_train_options* options) {
-    return read_options(options, default_train_options(), MIEN_FIRST_SIZE(mien_train_options, cancel),
-                        "options");
+    return read_options(options, default_train_options(),
+                        MIEN_FIRST_SIZE(mien_train_options, cancel), "options");
 }
 
 }  // namespace mien::abi
@@ -172,8 +173,9 @@ mien_status MIEN_CALL mien_expression_model_train(mien_session* session, const c
         auto dataset = std::make_shared<FaceDataset>(FaceDataset::open(
             checked_text(dataset_path, "dataset_path"), unverified(), call.context()));
         TrainReport report;
-        settings.stable_vertices = read_vertices(given.stable_vertices, given.stable_count,
-                                                 dataset->num_vertices(), "options.stable_vertices");
+        settings.stable_vertices =
+            read_vertices(given.stable_vertices, given.stable_count, dataset->num_vertices(),
+                          "options.stable_vertices");
         auto model = train_expression_model(std::move(dataset), settings, call.context(), &report);
         std::string json = training_json(*model, report);
         return new mien_expression_model(std::move(model), std::move(json));
@@ -203,20 +205,27 @@ mien_status MIEN_CALL mien_expression_model_load_memory(mien_session* session, c
 }
 
 mien_status MIEN_CALL mien_expression_model_save(mien_session* session,
-                                                 const mien_expression_model* model, const char* path,
-                                                 mien_error* error) {
+                                                 const mien_expression_model* model,
+                                                 const char* path, mien_error* error) {
     return guarded(error, [&] {
         const Call call(session);
-        save_expression_model(checked_text(path, "path"), *checked(model, "model").model, call.context());
+        save_expression_model(checked_text(path, "path"), *checked(model, "model").model,
+                              call.context());
     });
 }
 
-void MIEN_CALL mien_expression_model_retain(mien_expression_model* model) { retain(model); }
-void MIEN_CALL mien_expression_model_release(mien_expression_model* model) { release(model); }
+void MIEN_CALL mien_expression_model_retain(mien_expression_model* model) {
+    retain(model);
+}
+void MIEN_CALL mien_expression_model_release(mien_expression_model* model) {
+    release(model);
+}
 
 mien_status MIEN_CALL mien_expression_model_get_counts(const mien_expression_model* model,
-                                                       uint64_t* vertex_count, uint32_t* identity_modes,
-                                                       uint32_t* expression_modes, mien_error* error) {
+                                                       uint64_t* vertex_count,
+                                                       uint32_t* identity_modes,
+                                                       uint32_t* expression_modes,
+                                                       mien_error* error) {
     return guarded(error, [&] {
         const ExpressionModel& data = *checked(model, "model").model;
         store(vertex_count, data.num_vertices());
@@ -254,14 +263,15 @@ mien_status MIEN_CALL mien_expression_model_synthesize(mien_session* session,
 }
 
 mien_status MIEN_CALL mien_expression_model_sample(mien_session* session,
-                                                   const mien_expression_model* model, uint64_t seed,
-                                                   const char* expression, mien_mesh** out,
-                                                   mien_error* error) {
+                                                   const mien_expression_model* model,
+                                                   uint64_t seed, const char* expression,
+                                                   mien_mesh** out, mien_error* error) {
     return guarded_create(out, error, [&] {
         const Call call(session);
         const ExpressionModel& data = *checked(model, "model").model;
         auto mesh = std::make_shared<TriMesh>();
-        mesh->vertices = sample_face(call.context(), data, seed, expression == nullptr ? "" : expression);
+        mesh->vertices =
+            sample_face(call.context(), data, seed, expression == nullptr ? "" : expression);
         mesh->triangles = data.triangles;
         return new mien_mesh(std::move(mesh));
     });
@@ -270,8 +280,8 @@ mien_status MIEN_CALL mien_expression_model_sample(mien_session* session,
 mien_status MIEN_CALL mien_expression_model_transfer(mien_session* session,
                                                      const mien_expression_model* model,
                                                      const mien_neutralization* source,
-                                                     const mien_neutralization* target, mien_mesh** out,
-                                                     mien_error* error) {
+                                                     const mien_neutralization* target,
+                                                     mien_mesh** out, mien_error* error) {
     return guarded_create(out, error, [&] {
         const Call call(session);
         const ExpressionModel& data = *checked(model, "model").model;
@@ -292,11 +302,13 @@ mien_status MIEN_CALL mien_neutralize(mien_session* session, const mien_expressi
         checked(session, "session");
         const mien_registration& registration = checked(fitted, "fitted");
         const ExpressionModel& data = *checked(model, "model").model;
-        return neutralize_face(session, data, registration.mesh->mesh, &registration.data.weight, options);
+        return neutralize_face(session, data, registration.mesh->mesh, &registration.data.weight,
+                               options);
     });
 }
 
-mien_status MIEN_CALL mien_neutralize_mesh(mien_session* session, const mien_expression_model* model,
+mien_status MIEN_CALL mien_neutralize_mesh(mien_session* session,
+                                           const mien_expression_model* model,
                                            const mien_mesh* face,
                                            const mien_neutralize_options* options,
                                            mien_neutralization** out, mien_error* error) {
@@ -309,8 +321,9 @@ mien_status MIEN_CALL mien_neutralize_mesh(mien_session* session, const mien_exp
 
 mien_status MIEN_CALL mien_neutralization_apply_to_scan(mien_session* session,
                                                         const mien_neutralization* neutralization,
-                                                        const mien_mesh* scan, double max_distance_mm,
-                                                        mien_mesh** out, mien_error* error) {
+                                                        const mien_mesh* scan,
+                                                        double max_distance_mm, mien_mesh** out,
+                                                        mien_error* error) {
     return guarded_create(out, error, [&] {
         const Call call(session);
         const mien_neutralization& source = checked(neutralization, "neutralization");
@@ -346,8 +359,8 @@ mien_status MIEN_CALL mien_evaluate_neutralization(mien_session* session,
             FaceDataset::open(checked_text(dataset_path, "dataset_path"), {}, call.context());
         common.zone = read_vertices(given.zone_vertices, given.zone_count, dataset.num_vertices(),
                                     "options.zone_vertices");
-        common.stable = read_vertices(given.stable_vertices, given.stable_count, dataset.num_vertices(),
-                                      "options.stable_vertices");
+        common.stable = read_vertices(given.stable_vertices, given.stable_count,
+                                      dataset.num_vertices(), "options.stable_vertices");
         const EvaluatedFaces baseline = evaluate_faces(call.context(), dataset, common, nullptr);
         const EvaluatedFaces result = evaluate_model(
             call.context(), dataset, data, evaluation_with(common, given.method, given.max_sweeps));
@@ -360,20 +373,23 @@ mien_status MIEN_CALL mien_evaluate_neutralization(mien_session* session,
                 quiet, dataset, *checked(given.against, "options.against").model,
                 evaluation_with(common, given.against_method, given.against_max_sweeps));
         }
-        return new mien_evaluation(
-            evaluation_json(dataset, baseline, result, given.against != nullptr ? &other : nullptr));
+        return new mien_evaluation(evaluation_json(dataset, baseline, result,
+                                                   given.against != nullptr ? &other : nullptr));
     });
 }
 
 mien_status MIEN_CALL mien_evaluation_get_json(const mien_evaluation* evaluation, char* dst,
-                                               uint64_t capacity, uint64_t* count, mien_error* error) {
+                                               uint64_t capacity, uint64_t* count,
+                                               mien_error* error) {
     return guarded(error, [&] {
         const std::string& json = checked(evaluation, "evaluation").json;
         copy_text(json.data(), json.size(), dst, capacity, count);
     });
 }
 
-void MIEN_CALL mien_evaluation_release(mien_evaluation* evaluation) { release(evaluation); }
+void MIEN_CALL mien_evaluation_release(mien_evaluation* evaluation) {
+    release(evaluation);
+}
 
 const mien_mesh* MIEN_CALL mien_neutralization_mesh(const mien_neutralization* neutralization) {
     return is_live(neutralization) ? neutralization->mesh : nullptr;
@@ -401,13 +417,13 @@ mien_status MIEN_CALL mien_neutralization_get_uncertainty(const mien_neutralizat
         if (values.size() == 0)
             fail(Status::not_found,
                  "no uncertainty was computed: set options.uncertainty and use a fit with a prior");
-        copy_rows(values.data(), static_cast<uint64_t>(values.size()), sizeof(double), dst, capacity,
-                  count);
+        copy_rows(values.data(), static_cast<uint64_t>(values.size()), sizeof(double), dst,
+                  capacity, count);
     });
 }
 
-mien_status MIEN_CALL mien_neutralization_get_json(const mien_neutralization* neutralization, char* dst,
-                                                   uint64_t capacity, uint64_t* count,
+mien_status MIEN_CALL mien_neutralization_get_json(const mien_neutralization* neutralization,
+                                                   char* dst, uint64_t capacity, uint64_t* count,
                                                    mien_error* error) {
     return guarded(error, [&] {
         const std::string& json = checked(neutralization, "neutralization").json;

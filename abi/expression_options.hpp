@@ -15,8 +15,10 @@ void check_pose(std::int32_t pose);
 mien_train_options given_train_options(const mien_train_options* options);
 /// Without the stable vertices: how many there can be is known once the dataset is open.
 TrainOptions read_train_options(const mien_train_options& given);
-/// Training looks at every face itself; hashing and checking first would read the file twice and hold
-/// all of it in memory.
-inline SafetensorsReadOptions unverified() { return {false, false}; }
+/// Training looks at every face itself; hashing and checking first would read the file twice and
+/// hold all of it in memory.
+inline SafetensorsReadOptions unverified() {
+    return {false, false};
+}
 
 }  // namespace mien::abi

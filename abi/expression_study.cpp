@@ -2,10 +2,10 @@
 #include "arrays.hpp"
 #include "expression.hpp"
 #include "expression/neutralize_mesh.hpp"
+#include "expression/report_json.hpp"
 #include "expression/series.hpp"
 #include "expression/shards.hpp"
 #include "expression_options.hpp"
-#include "expression/report_json.hpp"
 #include "guard.hpp"
 #include "options.hpp"
 #include "session.hpp"
@@ -43,18 +43,21 @@ SeriesOptions read_series_options(const mien_series_options& given, Index num_ve
     options.pose = static_cast<Pose>(given.pose);
     options.scan_noise_share = given.scan_noise_share;
     options.noise_mm2 = given.noise_mm2;
-    options.changing_zone =
-        read_vertices(given.changing_vertices, given.changing_count, num_vertices, "options.changing_vertices");
+    options.changing_zone = read_vertices(given.changing_vertices, given.changing_count,
+                                          num_vertices, "options.changing_vertices");
     options.expected_change_mm = given.expected_change_mm;
     return options;
 }
 
 /// The host's one list, cut into one per face.
-std::vector<Vector> read_series_weights(const mien_array_view& view, std::uint32_t face_count, Index num_vertices) {
+std::vector<Vector> read_series_weights(const mien_array_view& view, std::uint32_t face_count,
+                                        Index num_vertices) {
     if (view.count == 0) return {};
     if (view.count != face_count * static_cast<std::uint64_t>(num_vertices))
-        fail(Status::mismatch, "options.weights holds %llu numbers, not one per vertex of %u faces of %lld vertices",
-             static_cast<unsigned long long>(view.count), face_count, static_cast<long long>(num_vertices));
+        fail(Status::mismatch,
+             "options.weights holds %llu numbers, not one per vertex of %u faces of %lld vertices",
+             static_cast<unsigned long long>(view.count), face_count,
+             static_cast<long long>(num_vertices));
     const Vector all = read_values(view, "options.weights");
     std::vector<Vector> weights;
     for (std::uint32_t k = 0; k < face_count; ++k)
@@ -84,23 +87,26 @@ mien_status MIEN_CALL mien_expression_shard_create(mien_session* session, const 
                                                    const mien_shard_options* options,
                                                    const char* shard_path, mien_error* error) {
     return guarded(error, [&] {
-        const mien_shard_options given = read_options(
-            options, default_shard_options(), MIEN_FIRST_SIZE(mien_shard_options, cancel), "options");
+        const mien_shard_options given =
+            read_options(options, default_shard_options(),
+                         MIEN_FIRST_SIZE(mien_shard_options, cancel), "options");
         const Call call(session, given.progress, given.progress_user, given.cancel);
         const char* target = checked_text(shard_path, "shard_path");
         auto dataset = std::make_shared<FaceDataset>(FaceDataset::open(
             checked_text(dataset_path, "dataset_path"), unverified(), call.context()));
         const std::vector<int> subjects = subjects_of_part(*dataset, given.part, given.part_count);
-        const std::vector<std::uint32_t> stable = read_vertices(
-            given.stable_vertices, given.stable_count, dataset->num_vertices(), "options.stable_vertices");
+        const std::vector<std::uint32_t> stable =
+            read_vertices(given.stable_vertices, given.stable_count, dataset->num_vertices(),
+                          "options.stable_vertices");
         ShardOptions settings;
         settings.max_rank = given.max_rank;
-        write_expression_shard(target, *dataset_columns(std::move(dataset), subjects, stable), settings,
-                               call.context());
+        write_expression_shard(target, *dataset_columns(std::move(dataset), subjects, stable),
+                               settings, call.context());
     });
 }
 
-mien_status MIEN_CALL mien_expression_model_merge(mien_session* session, const char* const* shard_paths,
+mien_status MIEN_CALL mien_expression_model_merge(mien_session* session,
+                                                  const char* const* shard_paths,
                                                   uint32_t shard_count,
                                                   const mien_train_options* options,
                                                   mien_expression_model** out, mien_error* error) {
@@ -124,7 +130,8 @@ mien_status MIEN_CALL mien_expression_model_merge(mien_session* session, const c
     });
 }
 
-mien_status MIEN_CALL mien_neutralize_series(mien_session* session, const mien_expression_model* model,
+mien_status MIEN_CALL mien_neutralize_series(mien_session* session,
+                                             const mien_expression_model* model,
                                              const mien_mesh* const* faces, uint32_t face_count,
                                              const mien_series_options* options, mien_series** out,
                                              mien_error* error) {
@@ -137,12 +144,13 @@ mien_status MIEN_CALL mien_neutralize_series(mien_session* session, const mien_e
         if (face_count == 0) fail(Status::invalid_argument, "face_count is 0");
         check_array(faces, face_count, alignof(const mien_mesh*), 1000, "faces");
         std::vector<std::shared_ptr<const TriMesh>> meshes;
-        for (uint32_t k = 0; k < face_count; ++k) meshes.push_back(checked(faces[k], "a face").mesh);
+        for (uint32_t k = 0; k < face_count; ++k)
+            meshes.push_back(checked(faces[k], "a face").mesh);
         const Index num_vertices = meshes[0]->vertices.rows();
         const SeriesOptions settings = read_series_options(given, num_vertices);
-        const SeriesResult result =
-            neutralize_series_meshes(call.context(), data, meshes,
-                                     read_series_weights(given.weights, face_count, num_vertices), settings);
+        const SeriesResult result = neutralize_series_meshes(
+            call.context(), data, meshes,
+            read_series_weights(given.weights, face_count, num_vertices), settings);
         auto series = std::make_unique<mien_series>();
         series->identity = with_vertices(*faces[0]->mesh, result.identity_vertices);
         for (uint32_t k = 0; k < face_count; ++k)
@@ -152,8 +160,8 @@ mien_status MIEN_CALL mien_neutralize_series(mien_session* session, const mien_e
     });
 }
 
-mien_status MIEN_CALL mien_series_get_mesh(const mien_series* series, int32_t index, mien_mesh** out,
-                                           mien_error* error) {
+mien_status MIEN_CALL mien_series_get_mesh(const mien_series* series, int32_t index,
+                                           mien_mesh** out, mien_error* error) {
     return guarded_create(out, error, [&] {
         const mien_series& data = checked(series, "series");
         if (index < -1 || index >= static_cast<std::int32_t>(data.neutrals.size()))
@@ -171,6 +179,8 @@ mien_status MIEN_CALL mien_series_get_json(const mien_series* series, char* dst,
     });
 }
 
-void MIEN_CALL mien_series_release(mien_series* series) { release(series); }
+void MIEN_CALL mien_series_release(mien_series* series) {
+    release(series);
+}
 
 }  // extern "C"

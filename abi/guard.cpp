@@ -4,7 +4,8 @@ namespace mien::abi {
 
 void write_error(mien_error* error, mien_status status, std::int64_t detail_index,
                  const char* message) noexcept {
-    if (error == nullptr || reinterpret_cast<std::uintptr_t>(error) % alignof(mien_error) != 0) return;
+    if (error == nullptr || reinterpret_cast<std::uintptr_t>(error) % alignof(mien_error) != 0)
+        return;
     const std::size_t size = error->struct_size;
     if (size >= offsetof(mien_error, status) + sizeof error->status) error->status = status;
     if (size >= offsetof(mien_error, detail_index) + sizeof error->detail_index)
@@ -19,7 +20,9 @@ void write_error(mien_error* error, mien_status status, std::int64_t detail_inde
 }  // namespace mien::abi
 
 extern "C" const char* MIEN_CALL mien_status_name(mien_status status) {
-#define MIEN_STATUS_CASE(name) case name: return #name
+#define MIEN_STATUS_CASE(name) \
+    case name:                 \
+        return #name
     switch (status) {
         MIEN_STATUS_CASE(MIEN_OK);
         MIEN_STATUS_CASE(MIEN_E_INVALID_ARGUMENT);
@@ -40,7 +43,8 @@ extern "C" const char* MIEN_CALL mien_status_name(mien_status status) {
         MIEN_STATUS_CASE(MIEN_E_CANCELLED);
         MIEN_STATUS_CASE(MIEN_E_CALLBACK);
         MIEN_STATUS_CASE(MIEN_E_INTERNAL);
-        default: return "MIEN_E_UNKNOWN";
+        default:
+            return "MIEN_E_UNKNOWN";
     }
 #undef MIEN_STATUS_CASE
 }

@@ -80,7 +80,9 @@ mien_status guarded(mien_error* error, Body&& body) noexcept {
 template <typename Handle, typename Body>
 mien_status guarded_create(Handle** out, mien_error* error, Body&& body) noexcept {
     // Byte by byte: a misaligned `out` gets its handle too.
-    const auto set = [out](Handle* made) { std::memcpy(static_cast<void*>(out), &made, sizeof made); };
+    const auto set = [out](Handle* made) {
+        std::memcpy(static_cast<void*>(out), &made, sizeof made);
+    };
     if (out != nullptr) set(nullptr);
     return guarded(error, [&] {
         if (out == nullptr) fail(Status::invalid_argument, "out is null");

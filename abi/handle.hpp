@@ -39,8 +39,8 @@ struct Object {
     std::atomic<std::uint32_t> references{1};
 };
 
-/// The C struct T (derived from Object, with `static constexpr Tag kTag` and a name) behind a pointer.
-/// Throws invalid_handle for null, misaligned, released or foreign pointers.
+/// The C struct T (derived from Object, with `static constexpr Tag kTag` and a name) behind a
+/// pointer. Throws invalid_handle for null, misaligned, released or foreign pointers.
 template <typename T>
 T& checked(T* handle, const char* parameter) {
     if (handle == nullptr) fail(Status::invalid_handle, "%s is null", parameter);

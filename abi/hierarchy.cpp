@@ -1,9 +1,9 @@
 // Levels of a template.
+#include "spectral/hierarchy.hpp"
 #include "arrays.hpp"
 #include "guard.hpp"
 #include "session.hpp"
 #include "spectral.hpp"
-#include "spectral/hierarchy.hpp"
 
 using namespace mien;
 using namespace mien::abi;
@@ -20,7 +20,8 @@ namespace {
 
 const MeshLevel& level_of(const MeshHierarchy& hierarchy, std::uint32_t level) {
     if (level >= hierarchy.levels.size())
-        fail(Status::invalid_argument, "level %u of a hierarchy with %zu", level, hierarchy.levels.size());
+        fail(Status::invalid_argument, "level %u of a hierarchy with %zu", level,
+             hierarchy.levels.size());
     return hierarchy.levels[level];
 }
 
@@ -38,10 +39,10 @@ mien_status MIEN_CALL mien_hierarchy_build_quadric(mien_session* session, const 
     });
 }
 
-mien_status MIEN_CALL mien_hierarchy_build_connectivity(mien_session* session, const mien_mesh* mesh,
-                                                        uint32_t level_count, uint32_t stride,
-                                                        uint32_t radius, mien_hierarchy** out,
-                                                        mien_error* error) {
+mien_status MIEN_CALL mien_hierarchy_build_connectivity(mien_session* session,
+                                                        const mien_mesh* mesh, uint32_t level_count,
+                                                        uint32_t stride, uint32_t radius,
+                                                        mien_hierarchy** out, mien_error* error) {
     return guarded_create(out, error, [&] {
         const TriMesh& data = *checked(mesh, "mesh").mesh;
         const Call call(session);
@@ -50,11 +51,12 @@ mien_status MIEN_CALL mien_hierarchy_build_connectivity(mien_session* session, c
     });
 }
 
-mien_status MIEN_CALL mien_hierarchy_load(mien_session* session, const char* path, mien_hierarchy** out,
-                                          mien_error* error) {
+mien_status MIEN_CALL mien_hierarchy_load(mien_session* session, const char* path,
+                                          mien_hierarchy** out, mien_error* error) {
     return guarded_create(out, error, [&] {
         const Call call(session);
-        return new mien_hierarchy(load_mesh_hierarchy(checked_text(path, "path"), {}, call.context()));
+        return new mien_hierarchy(
+            load_mesh_hierarchy(checked_text(path, "path"), {}, call.context()));
     });
 }
 
@@ -85,12 +87,13 @@ mien_status MIEN_CALL mien_hierarchy_get_level(const mien_hierarchy* hierarchy, 
 }
 
 mien_status MIEN_CALL mien_hierarchy_apply(const mien_hierarchy* hierarchy, uint32_t level,
-                                           int32_t direction, const double* values, uint64_t row_count,
-                                           uint64_t channel_count, double* dst, uint64_t capacity,
-                                           uint64_t* count, mien_error* error) {
+                                           int32_t direction, const double* values,
+                                           uint64_t row_count, uint64_t channel_count, double* dst,
+                                           uint64_t capacity, uint64_t* count, mien_error* error) {
     return guarded(error, [&] {
         const MeshLevel& data = level_of(*checked(hierarchy, "hierarchy").data, level);
-        if (level == 0) fail(Status::invalid_argument, "level 0 has no maps; level names the coarser one");
+        if (level == 0)
+            fail(Status::invalid_argument, "level 0 has no maps; level names the coarser one");
         if (direction != MIEN_MAP_DOWN && direction != MIEN_MAP_UP)
             fail(Status::invalid_argument, "direction is %d, allowed are 1 and 2", direction);
         const RowSparse& map = direction == MIEN_MAP_DOWN ? data.down : data.up;
@@ -108,13 +111,18 @@ mien_status MIEN_CALL mien_hierarchy_apply(const mien_hierarchy* hierarchy, uint
                  static_cast<unsigned long long>(row_count), static_cast<long long>(map.cols()));
         if (values == nullptr || reinterpret_cast<std::uintptr_t>(values) % alignof(double) != 0)
             fail(Status::invalid_argument, "values is null or misaligned");
-        const Eigen::Map<const Features> from(values, map.cols(), static_cast<Index>(channel_count));
+        const Eigen::Map<const Features> from(values, map.cols(),
+                                              static_cast<Index>(channel_count));
         const Features to = map * from;
         copy_rows(to.data(), rows, row_bytes, dst, capacity, count);
     });
 }
 
-void MIEN_CALL mien_hierarchy_retain(mien_hierarchy* hierarchy) { retain(hierarchy); }
-void MIEN_CALL mien_hierarchy_release(mien_hierarchy* hierarchy) { release(hierarchy); }
+void MIEN_CALL mien_hierarchy_retain(mien_hierarchy* hierarchy) {
+    retain(hierarchy);
+}
+void MIEN_CALL mien_hierarchy_release(mien_hierarchy* hierarchy) {
+    release(hierarchy);
+}
 
 }  // extern "C"

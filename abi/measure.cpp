@@ -65,20 +65,23 @@ Zone checked_zone(const mien_zone* zone, const TriMesh& mesh) {
 
 std::optional<VolumeErrorModel> read_errors(const mien_measure_options& options) {
     VolumeErrorModel errors;
-    if (options.before_sd.count != 0) errors.sd_before_mm = read_values(options.before_sd, "options.before_sd");
-    if (options.after_sd.count != 0) errors.sd_after_mm = read_values(options.after_sd, "options.after_sd");
-    const double rotation = options.alignment_rotation_sd_rad, shift = options.alignment_translation_sd_mm;
+    if (options.before_sd.count != 0)
+        errors.sd_before_mm = read_values(options.before_sd, "options.before_sd");
+    if (options.after_sd.count != 0)
+        errors.sd_after_mm = read_values(options.after_sd, "options.after_sd");
+    const double rotation = options.alignment_rotation_sd_rad,
+                 shift = options.alignment_translation_sd_mm;
     if (!(rotation >= 0) || !(shift >= 0))
-        fail(Status::invalid_argument, "the alignment's deviations are %g rad and %g mm; give zero or more",
-             rotation, shift);
+        fail(Status::invalid_argument,
+             "the alignment's deviations are %g rad and %g mm; give zero or more", rotation, shift);
     errors.alignment_covariance.diagonal().head<3>().setConstant(rotation * rotation);
     errors.alignment_covariance.diagonal().tail<3>().setConstant(shift * shift);
-    errors.alignment_centre =
-        Vector3(options.alignment_centre[0], options.alignment_centre[1], options.alignment_centre[2]);
+    errors.alignment_centre = Vector3(options.alignment_centre[0], options.alignment_centre[1],
+                                      options.alignment_centre[2]);
     errors.correlation_length_mm = options.correlation_length_mm;
     errors.common_bias_mm = options.common_bias_mm;
-    const bool known = options.before_sd.count != 0 || options.after_sd.count != 0 || rotation > 0 ||
-                       shift > 0 || options.common_bias_mm != 0;
+    const bool known = options.before_sd.count != 0 || options.after_sd.count != 0 ||
+                       rotation > 0 || shift > 0 || options.common_bias_mm != 0;
     return known ? std::optional<VolumeErrorModel>(errors) : std::nullopt;
 }
 
@@ -98,7 +101,8 @@ void MIEN_CALL mien_measure_options_init(mien_measure_options* options, size_t s
 }
 
 mien_status MIEN_CALL mien_measure_volume(mien_session* session, const mien_mesh* before,
-                                          const mien_mesh* after, const mien_measure_options* options,
+                                          const mien_mesh* after,
+                                          const mien_measure_options* options,
                                           mien_measurement** out, mien_error* error) {
     return guarded_create(out, error, [&] {
         const mien_measure_options given = read_measure_options(options);
@@ -109,13 +113,14 @@ mien_status MIEN_CALL mien_measure_volume(mien_session* session, const mien_mesh
         settings.zones = zones_of(given, first);
         settings.errors = read_errors(given);
         settings.limit_of_detection_ml = given.limit_of_detection_ml;
-        return new mien_measurement(measure_volume_fully(first.vertices, second.vertices, first.triangles,
-                                                         settings, call.context()));
+        return new mien_measurement(measure_volume_fully(
+            first.vertices, second.vertices, first.triangles, settings, call.context()));
     });
 }
 
 mien_status MIEN_CALL mien_measure_distance(mien_session* session, const mien_mesh* before,
-                                            const mien_mesh* after, const mien_measure_options* options,
+                                            const mien_mesh* after,
+                                            const mien_measure_options* options,
                                             mien_measurement** out, mien_error* error) {
     return guarded_create(out, error, [&] {
         const mien_measure_options given = read_measure_options(options);
@@ -123,8 +128,8 @@ mien_status MIEN_CALL mien_measure_distance(mien_session* session, const mien_me
         const TriMesh& second = *checked(after, "after").mesh;
         const Call call(session, given.progress, given.progress_user, given.cancel);
         const std::vector<Zone> zones = zones_of(given, first);
-        return finish_distance(measure_distance(first.vertices, second.vertices, first.triangles, zones,
-                                                call.context()),
+        return finish_distance(measure_distance(first.vertices, second.vertices, first.triangles,
+                                                zones, call.context()),
                                zones);
     });
 }
@@ -155,8 +160,8 @@ mien_status MIEN_CALL mien_measure_closed_volume(mien_session* session, const mi
         if (close_rims != 0 && close_rims != 1)
             fail(Status::invalid_argument, "close_rims is %d, allowed are 0 and 1", close_rims);
         const double volume = closed_volume_ml(
-            data.vertices, data.triangles, close_rims == 1 ? OpenRims::fan_to_centroid : OpenRims::refuse,
-            call.context());
+            data.vertices, data.triangles,
+            close_rims == 1 ? OpenRims::fan_to_centroid : OpenRims::refuse, call.context());
         store(volume_ml, volume);
     });
 }
@@ -168,44 +173,50 @@ mien_status MIEN_CALL mien_measure_area(mien_session* session, const mien_mesh* 
         const TriMesh& data = *checked(mesh, "mesh").mesh;
         const Call call(session);
         if (area_mm2 == nullptr) fail(Status::invalid_argument, "area_mm2 is null");
-        store(area_mm2,
-              zone == nullptr
-                  ? surface_area_mm2(data.vertices, data.triangles)
-                  : zone_areas(data.vertices, data.triangles, {checked_zone(zone, data)}).front().area_mm2);
+        store(area_mm2, zone == nullptr
+                            ? surface_area_mm2(data.vertices, data.triangles)
+                            : zone_areas(data.vertices, data.triangles, {checked_zone(zone, data)})
+                                  .front()
+                                  .area_mm2);
     });
 }
 
-mien_status MIEN_CALL mien_measure_curvature(mien_session* session, const mien_mesh* mesh, double radius_mm,
-                                             int32_t robust, const mien_measure_options* options,
+mien_status MIEN_CALL mien_measure_curvature(mien_session* session, const mien_mesh* mesh,
+                                             double radius_mm, int32_t robust,
+                                             const mien_measure_options* options,
                                              mien_measurement** out, mien_error* error) {
     return guarded_create(out, error, [&] {
         const mien_measure_options given = read_measure_options(options);
         const TriMesh& data = *checked(mesh, "mesh").mesh;
         const Call call(session, given.progress, given.progress_user, given.cancel);
         check_numbers({{"radius_mm", radius_mm}});
-        if (robust != 0 && robust != 1) fail(Status::invalid_argument, "robust is %d, allowed are 0 and 1", robust);
+        if (robust != 0 && robust != 1)
+            fail(Status::invalid_argument, "robust is %d, allowed are 0 and 1", robust);
         const std::vector<Zone> zones = zones_of(given, data);
         Measurement result;
         for (const Zone& zone : zones) result.zone_names.push_back(zone.name);
-        result.curvature =
-            measure_curvature(data.vertices, data.triangles, zones, {radius_mm, robust == 1}, call.context());
+        result.curvature = measure_curvature(data.vertices, data.triangles, zones,
+                                             {radius_mm, robust == 1}, call.context());
         return new mien_measurement(std::move(result));
     });
 }
 
-mien_status MIEN_CALL mien_measure_lengths(mien_session* session, const mien_mesh* mesh, const uint32_t* pairs,
-                                           uint64_t pair_count, double* straight_mm, double* geodesic_mm,
+mien_status MIEN_CALL mien_measure_lengths(mien_session* session, const mien_mesh* mesh,
+                                           const uint32_t* pairs, uint64_t pair_count,
+                                           double* straight_mm, double* geodesic_mm,
                                            mien_error* error) {
     return guarded(error, [&] {
         const TriMesh& data = *checked(mesh, "mesh").mesh;
         const Call call(session);
         if (pair_count == 0) fail(Status::invalid_argument, "pair_count is 0");
-        check_array(pairs, pair_count, alignof(uint32_t), static_cast<std::uint64_t>(data.vertices.rows()), "pairs");
+        check_array(pairs, pair_count, alignof(uint32_t),
+                    static_cast<std::uint64_t>(data.vertices.rows()), "pairs");
         check_output(straight_mm, "straight_mm");
         check_output(geodesic_mm, "geodesic_mm");
         std::vector<std::array<std::uint32_t, 2>> ends(static_cast<std::size_t>(pair_count));
         for (std::size_t k = 0; k < ends.size(); ++k) ends[k] = {pairs[2 * k], pairs[2 * k + 1]};
-        const std::vector<PlaceLength> lengths = measure_lengths(data.vertices, data.triangles, ends, call.context());
+        const std::vector<PlaceLength> lengths =
+            measure_lengths(data.vertices, data.triangles, ends, call.context());
         for (std::size_t k = 0; k < lengths.size(); ++k) {
             if (straight_mm != nullptr) straight_mm[k] = lengths[k].straight_mm;
             if (geodesic_mm != nullptr) geodesic_mm[k] = lengths[k].geodesic_mm;
@@ -215,8 +226,10 @@ mien_status MIEN_CALL mien_measure_lengths(mien_session* session, const mien_mes
 
 mien_status MIEN_CALL mien_measure_scan_volume(mien_session* session, const mien_mesh* before,
                                                const mien_mesh* after, int32_t carry,
-                                               const double* direction, const mien_measure_options* options,
-                                               double* coverage, mien_measurement** out, mien_error* error) {
+                                               const double* direction,
+                                               const mien_measure_options* options,
+                                               double* coverage, mien_measurement** out,
+                                               mien_error* error) {
     return guarded_create(out, error, [&] {
         const mien_measure_options given = read_measure_options(options);
         const TriMesh& first = *checked(before, "before").mesh;
@@ -229,7 +242,8 @@ mien_status MIEN_CALL mien_measure_scan_volume(mien_session* session, const mien
             fail(Status::invalid_argument, "direction is null");
         ScanVolumeOptions settings;
         settings.carry = static_cast<Carry>(carry);
-        if (direction != nullptr) settings.direction = Vector3(direction[0], direction[1], direction[2]);
+        if (direction != nullptr)
+            settings.direction = Vector3(direction[0], direction[1], direction[2]);
         if (given.max_distance_mm != 0) settings.max_distance_mm = given.max_distance_mm;
         settings.zones = zones_of(given, first);
         ScanVolumeReport report = measure_scan_volume(first, second, settings, call.context());
@@ -242,15 +256,17 @@ mien_status MIEN_CALL mien_measure_scan_volume(mien_session* session, const mien
 
 mien_status MIEN_CALL mien_measure_align(mien_session* session, const mien_mesh* moving,
                                          const mien_mesh* target, const mien_zone* stable,
-                                         mien_zone_alignment* info, mien_mesh** out, mien_error* error) {
+                                         mien_zone_alignment* info, mien_mesh** out,
+                                         mien_error* error) {
     return guarded_create(out, error, [&] {
         const TriMesh& source = *checked(moving, "moving").mesh;
         const TriMesh& fixed = *checked(target, "target").mesh;
         const Call call(session);
         const Zone zone = stable != nullptr ? checked_zone(stable, fixed) : Zone();
-        const bool in_correspondence = source.vertices.rows() == fixed.vertices.rows() &&
-                                       (source.triangles.rows() == 0 || (source.triangles.rows() == fixed.triangles.rows() &&
-                                                                         source.triangles == fixed.triangles));
+        const bool in_correspondence =
+            source.vertices.rows() == fixed.vertices.rows() &&
+            (source.triangles.rows() == 0 || (source.triangles.rows() == fixed.triangles.rows() &&
+                                              source.triangles == fixed.triangles));
         RigidZoneResult result;
         if (in_correspondence) {
             check_faces_in_correspondence(fixed.vertices, source.vertices, fixed.triangles);
@@ -258,7 +274,8 @@ mien_status MIEN_CALL mien_measure_align(mien_session* session, const mien_mesh*
         } else {
             check_surface(source.vertices, source.triangles, "moving");
             check_surface(fixed.vertices, fixed.triangles, "target");
-            result = align_scans_on_zone(source, fixed, zone.vertices, Similarity(), {}, call.context());
+            result =
+                align_scans_on_zone(source, fixed, zone.vertices, Similarity(), {}, call.context());
         }
         TriMesh moved = source;
         moved.vertices = result.motion.apply(PointsRef(source.vertices));
@@ -323,8 +340,9 @@ mien_status MIEN_CALL mien_measurement_get_volume(const mien_measurement* measur
     });
 }
 
-mien_status MIEN_CALL mien_measurement_get_distance(const mien_measurement* measurement, int32_t zone,
-                                                    mien_zone_distance* out, mien_error* error) {
+mien_status MIEN_CALL mien_measurement_get_distance(const mien_measurement* measurement,
+                                                    int32_t zone, mien_zone_distance* out,
+                                                    mien_error* error) {
     return guarded(error, [&] {
         const Measurement& data = checked(measurement, "measurement").data;
         if (!data.distance) fail(Status::not_found, "this measurement holds no distance");
@@ -355,10 +373,13 @@ mien_status MIEN_CALL mien_measurement_get_field(const mien_measurement* measure
     return guarded(error, [&] {
         const Measurement& data = checked(measurement, "measurement").data;
         const Vector* values = nullptr;
-        if (field == MIEN_FIELD_SIGNED_DISTANCE_MM && data.distance) values = &data.distance->signed_mm;
+        if (field == MIEN_FIELD_SIGNED_DISTANCE_MM && data.distance)
+            values = &data.distance->signed_mm;
         if (field == MIEN_FIELD_DISTANCE_MM && data.distance) values = &data.distance->length_mm;
-        if (field == MIEN_FIELD_POSITIVE_VOLUME_MM3 && data.shares.positive_mm3.size() > 0) values = &data.shares.positive_mm3;
-        if (field == MIEN_FIELD_NEGATIVE_VOLUME_MM3 && data.shares.negative_mm3.size() > 0) values = &data.shares.negative_mm3;
+        if (field == MIEN_FIELD_POSITIVE_VOLUME_MM3 && data.shares.positive_mm3.size() > 0)
+            values = &data.shares.positive_mm3;
+        if (field == MIEN_FIELD_NEGATIVE_VOLUME_MM3 && data.shares.negative_mm3.size() > 0)
+            values = &data.shares.negative_mm3;
         if (data.curvature) {
             const CurvatureField& bent = data.curvature->field;
             if (field == MIEN_FIELD_CURVATURE_MAXIMAL) values = &bent.maximal;
@@ -366,20 +387,23 @@ mien_status MIEN_CALL mien_measurement_get_field(const mien_measurement* measure
             if (field == MIEN_FIELD_CURVATURE_MEAN) values = &bent.mean;
             if (field == MIEN_FIELD_CURVATURE_GAUSSIAN) values = &bent.gaussian;
         }
-        if (values == nullptr)
-            fail(Status::not_found, "this measurement has no field %d", field);
-        copy_rows(values->data(), static_cast<uint64_t>(values->size()), sizeof(double), dst, capacity, count);
+        if (values == nullptr) fail(Status::not_found, "this measurement has no field %d", field);
+        copy_rows(values->data(), static_cast<uint64_t>(values->size()), sizeof(double), dst,
+                  capacity, count);
     });
 }
 
 mien_status MIEN_CALL mien_measurement_get_json(const mien_measurement* measurement, char* dst,
-                                                uint64_t capacity, uint64_t* count, mien_error* error) {
+                                                uint64_t capacity, uint64_t* count,
+                                                mien_error* error) {
     return guarded(error, [&] {
         const std::string& json = checked(measurement, "measurement").json;
         copy_text(json.data(), json.size(), dst, capacity, count);
     });
 }
 
-void MIEN_CALL mien_measurement_release(mien_measurement* measurement) { release(measurement); }
+void MIEN_CALL mien_measurement_release(mien_measurement* measurement) {
+    release(measurement);
+}
 
 }  // extern "C"

@@ -24,15 +24,16 @@ inline MemoryFile copy_memory_file(const void* data, std::uint64_t size, const C
         fail(Status::invalid_argument, "size is %llu, more than can be addressed",
              static_cast<unsigned long long>(size));
     const auto length = static_cast<std::size_t>(size);
-    // Only the header is read at first: it tells how long the file is, so that a wrong size is found before
-    // the rest is followed.
+    // Only the header is read at first: it tells how long the file is, so that a wrong size is
+    // found before the rest is followed.
     SafetensorsReadOptions header;
     header.verify_hash = header.verify_finite = false;
     SafetensorsFile::from_memory(data, length, header, context);
     context.require_memory(length, "a model from memory");
     constexpr std::align_val_t kAlignment{64};
-    const std::shared_ptr<void> bytes(::operator new(length, kAlignment),
-                                      [](void* block) { ::operator delete(block, std::align_val_t{64}); });
+    const std::shared_ptr<void> bytes(::operator new(length, kAlignment), [](void* block) {
+        ::operator delete (block, std::align_val_t{64});
+    });
     std::memcpy(bytes.get(), data, length);
     return {bytes, SafetensorsFile::from_memory(bytes.get(), length, {}, context)};
 }

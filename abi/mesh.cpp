@@ -29,10 +29,9 @@ mien_mesh* mesh_from_arrays(mien_session* session, const mien_mesh_arrays* host_
         fail(Status::invalid_argument, "triangles is null, triangle_count is not 0");
     if (reinterpret_cast<std::uintptr_t>(arrays.triangles) % alignof(std::uint32_t) != 0)
         fail(Status::invalid_argument, "triangles is not aligned to its 4-byte values");
-    call.context().require_memory(
-        static_cast<std::size_t>(arrays.positions.count) * 27 +
-            static_cast<std::size_t>(arrays.triangle_count) * 12,
-        "a mesh");
+    call.context().require_memory(static_cast<std::size_t>(arrays.positions.count) * 27 +
+                                      static_cast<std::size_t>(arrays.triangle_count) * 12,
+                                  "a mesh");
 
     TriMesh mesh;
     mesh.vertices = read_points(arrays.positions, "positions");
@@ -84,19 +83,22 @@ mien_status MIEN_CALL mien_mesh_get_counts(const mien_mesh* mesh, uint64_t* vert
 }
 
 mien_status MIEN_CALL mien_mesh_get_positions(const mien_mesh* mesh, mien_dtype dtype, void* dst,
-                                              uint64_t capacity, uint64_t* count, mien_error* error) {
+                                              uint64_t capacity, uint64_t* count,
+                                              mien_error* error) {
     return guarded(error, [&] {
         const Points& points = checked(mesh, "mesh").mesh->vertices;
-        copy_doubles(points.data(), static_cast<uint64_t>(points.rows()), 3, dtype, dst, capacity, count);
+        copy_doubles(points.data(), static_cast<uint64_t>(points.rows()), 3, dtype, dst, capacity,
+                     count);
     });
 }
 
-mien_status MIEN_CALL mien_mesh_get_triangles(const mien_mesh* mesh, uint32_t* dst, uint64_t capacity,
-                                              uint64_t* count, mien_error* error) {
+mien_status MIEN_CALL mien_mesh_get_triangles(const mien_mesh* mesh, uint32_t* dst,
+                                              uint64_t capacity, uint64_t* count,
+                                              mien_error* error) {
     return guarded(error, [&] {
         const Triangles& triangles = checked(mesh, "mesh").mesh->triangles;
-        copy_rows(triangles.data(), static_cast<uint64_t>(triangles.rows()), 3 * sizeof(uint32_t), dst,
-                  capacity, count);
+        copy_rows(triangles.data(), static_cast<uint64_t>(triangles.rows()), 3 * sizeof(uint32_t),
+                  dst, capacity, count);
     });
 }
 
@@ -118,8 +120,12 @@ mien_status MIEN_CALL mien_mesh_positions_view(const mien_mesh* mesh, const doub
     });
 }
 
-void MIEN_CALL mien_mesh_retain(mien_mesh* mesh) { retain(mesh); }
+void MIEN_CALL mien_mesh_retain(mien_mesh* mesh) {
+    retain(mesh);
+}
 
-void MIEN_CALL mien_mesh_release(mien_mesh* mesh) { release(mesh); }
+void MIEN_CALL mien_mesh_release(mien_mesh* mesh) {
+    release(mesh);
+}
 
 }  // extern "C"

@@ -10,6 +10,7 @@
 struct mien_mesh : mien::abi::Object {
     static constexpr mien::abi::Tag kTag = mien::abi::Tag::mesh;
     static constexpr const char* kName = "mesh";
-    explicit mien_mesh(std::shared_ptr<const mien::TriMesh> data) : Object(kTag), mesh(std::move(data)) {}
+    explicit mien_mesh(std::shared_ptr<const mien::TriMesh> data)
+        : Object(kTag), mesh(std::move(data)) {}
     std::shared_ptr<const mien::TriMesh> mesh;
 };

@@ -38,7 +38,8 @@ mien_model_options default_model_options() {
     mien_model_options options{};
     options.kernel = static_cast<std::int32_t>(kernel.kind);
     options.sigma_mm = kernel.sigma_mm;
-    options.scale_mm = 3;  // what faces differ by from their mean, so that a scan may pull a template along
+    options.scale_mm =
+        3;  // what faces differ by from their mean, so that a scan may pull a template along
     options.nu = kernel.nu;
     options.levels = 1;
     options.num_modes = static_cast<std::int32_t>(core.num_modes);
@@ -64,8 +65,8 @@ KernelKind read_kind(std::int32_t kind) {
 template <typename Number>
 void check_reserved(Number reserved, const char* name, std::uint64_t index) {
     if (reserved != 0)
-        fail_at(Status::unsupported_option, static_cast<std::int64_t>(index), "%s[%llu].reserved is not zero",
-                name, static_cast<unsigned long long>(index));
+        fail_at(Status::unsupported_option, static_cast<std::int64_t>(index),
+                "%s[%llu].reserved is not zero", name, static_cast<unsigned long long>(index));
 }
 
 std::vector<KernelTerm> read_kernels(const mien_model_options& given) {
@@ -82,15 +83,17 @@ std::vector<KernelTerm> read_kernels(const mien_model_options& given) {
     for (std::uint64_t k = 0; k < given.kernel_count; ++k) {
         const mien_kernel& kernel = given.kernels[k];
         check_reserved(kernel.reserved, "options.kernels", k);
-        check_numbers({{"sigma_mm", kernel.sigma_mm}, {"scale_mm", kernel.scale_mm}, {"nu", kernel.nu}},
-                      "options.kernels[]");
+        check_numbers(
+            {{"sigma_mm", kernel.sigma_mm}, {"scale_mm", kernel.scale_mm}, {"nu", kernel.nu}},
+            "options.kernels[]");
         terms.push_back({read_kind(kernel.kind), kernel.sigma_mm, kernel.scale_mm, kernel.nu});
     }
     return terms;
 }
 
 std::vector<Landmark> read_landmarks(const mien_model_options& given) {
-    check_array(given.landmarks, given.landmark_count, alignof(mien_landmark), kMostNames, "options.landmarks");
+    check_array(given.landmarks, given.landmark_count, alignof(mien_landmark), kMostNames,
+                "options.landmarks");
     std::vector<Landmark> landmarks;
     for (std::uint64_t i = 0; i < given.landmark_count; ++i) {
         const mien_landmark& landmark = given.landmarks[i];
@@ -151,8 +154,10 @@ TuneOptions read_tune_options(const mien_tune_options& given, const FaceDataset&
     options.num_modes = given.num_modes;
     options.rho = given.rho;
     if (given.sigma_count != 0)
-        options.sigmas_mm = read_array(given.sigmas_mm, given.sigma_count, kMostNames, "options.sigmas_mm");
-    check_array(given.expressions, given.expression_count, alignof(const char*), kMostNames, "options.expressions");
+        options.sigmas_mm =
+            read_array(given.sigmas_mm, given.sigma_count, kMostNames, "options.sigmas_mm");
+    check_array(given.expressions, given.expression_count, alignof(const char*), kMostNames,
+                "options.expressions");
     std::vector<std::string> expressions;
     for (std::uint32_t i = 0; i < given.expression_count; ++i)
         expressions.emplace_back(checked_text(given.expressions[i], "an expression name"));
@@ -171,9 +176,9 @@ std::vector<LandmarkObservation> read_observations(const DeformationModel& model
         LandmarkObservation seen;
         seen.vertex = given[i].vertex;
         if (given[i].name != nullptr) {
-            const auto found =
-                std::find_if(model.landmarks.begin(), model.landmarks.end(),
-                             [&](const Landmark& landmark) { return landmark.name == given[i].name; });
+            const auto found = std::find_if(
+                model.landmarks.begin(), model.landmarks.end(),
+                [&](const Landmark& landmark) { return landmark.name == given[i].name; });
             if (found == model.landmarks.end())
                 fail_at(Status::not_found, static_cast<std::int64_t>(i),
                         "the model has no landmark \"%.60s\"", given[i].name);
@@ -182,10 +187,12 @@ std::vector<LandmarkObservation> read_observations(const DeformationModel& model
         if (static_cast<Index>(seen.vertex) >= model.num_vertices())
             fail_at(Status::invalid_argument, static_cast<std::int64_t>(i),
                     "observation %llu is vertex %lld of %lld", static_cast<unsigned long long>(i),
-                    static_cast<long long>(seen.vertex), static_cast<long long>(model.num_vertices()));
+                    static_cast<long long>(seen.vertex),
+                    static_cast<long long>(model.num_vertices()));
         for (int c = 0; c < 3; ++c)
             seen.displacement_mm[c] =
-                given[i].position[c] - model.template_mesh.vertices(static_cast<Index>(seen.vertex), c);
+                given[i].position[c] -
+                model.template_mesh.vertices(static_cast<Index>(seen.vertex), c);
         seen.noise_mm = given[i].noise_mm;
         observations.push_back(seen);
     }
@@ -215,8 +222,9 @@ mien_status MIEN_CALL mien_model_build(mien_session* session, const mien_mesh* t
                                        const mien_model_options* options, mien_model** out,
                                        mien_error* error) {
     return guarded_create(out, error, [&] {
-        const mien_model_options given = read_options(
-            options, default_model_options(), MIEN_FIRST_SIZE(mien_model_options, cancel), "options");
+        const mien_model_options given =
+            read_options(options, default_model_options(),
+                         MIEN_FIRST_SIZE(mien_model_options, cancel), "options");
         const TriMesh& mesh = *checked(template_mesh, "template_mesh").mesh;
         const Call call(session, given.progress, given.progress_user, given.cancel);
         ModelOptions settings = read_model_options(given);
@@ -329,8 +337,8 @@ mien_status MIEN_CALL mien_model_tune(mien_session* session, const mien_mesh* te
         const Call call(session, given.progress, given.progress_user, given.cancel);
         const FaceDataset faces = FaceDataset::open(checked_text(dataset, "dataset"),
                                                     SafetensorsReadOptions{}, call.context());
-        return new mien_tuning(tune_json(
-            tune_kernel(mesh, faces, read_tune_options(given, faces), call.context())));
+        return new mien_tuning(
+            tune_json(tune_kernel(mesh, faces, read_tune_options(given, faces), call.context())));
     });
 }
 
@@ -342,14 +350,20 @@ mien_status MIEN_CALL mien_tuning_get_json(const mien_tuning* tuning, char* dst,
     });
 }
 
-void MIEN_CALL mien_tuning_release(mien_tuning* tuning) { release(tuning); }
+void MIEN_CALL mien_tuning_release(mien_tuning* tuning) {
+    release(tuning);
+}
 
 const mien_mesh* MIEN_CALL mien_model_mesh(const mien_model* model) {
     return is_live(model) ? model->mesh : nullptr;
 }
 
-void MIEN_CALL mien_model_retain(mien_model* model) { retain(model); }
+void MIEN_CALL mien_model_retain(mien_model* model) {
+    retain(model);
+}
 
-void MIEN_CALL mien_model_release(mien_model* model) { release(model); }
+void MIEN_CALL mien_model_release(mien_model* model) {
+    release(model);
+}
 
 }  // extern "C"

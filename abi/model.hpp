@@ -15,6 +15,7 @@ struct mien_model : mien::abi::Object {
     explicit mien_model(std::shared_ptr<const mien::DeformationModel> data);
     ~mien_model() { mien::abi::release(mesh); }
     std::shared_ptr<const mien::DeformationModel> model;
-    mien_mesh* mesh = nullptr;  // the template; a reference of its own, so that a host may keep it longer
+    mien_mesh* mesh =
+        nullptr;  // the template; a reference of its own, so that a host may keep it longer
     std::string json;
 };

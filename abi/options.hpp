@@ -1,5 +1,5 @@
-// The options-struct protocol: a field exists iff the caller's struct_size covers it whole; a struct
-// that is longer than known is accepted only with a zero tail.
+// The options-struct protocol: a field exists iff the caller's struct_size covers it whole; a
+// struct that is longer than known is accepted only with a zero tail.
 #pragma once
 
 #include <algorithm>
@@ -11,9 +11,10 @@
 
 #include "base/error.hpp"
 
-/// The size of an options struct's first release, by the last field that it had: frozen, and right for
-/// every pointer width.
-#define MIEN_FIRST_SIZE(Struct, last_field) (offsetof(Struct, last_field) + sizeof(Struct::last_field))
+/// The size of an options struct's first release, by the last field that it had: frozen, and right
+/// for every pointer width.
+#define MIEN_FIRST_SIZE(Struct, last_field) \
+    (offsetof(Struct, last_field) + sizeof(Struct::last_field))
 
 namespace mien::abi {
 
@@ -39,7 +40,8 @@ Options read_options(const Options* options, const Options& defaults, std::size_
         fail(Status::invalid_argument, "%s.struct_size is %zu, below %zu: call its _init function",
              name, size, minimum_size);
     if (size > 4096)
-        fail(Status::unsupported_option, "%s.struct_size is %zu: call its _init function", name, size);
+        fail(Status::unsupported_option, "%s.struct_size is %zu: call its _init function", name,
+             size);
     const auto* bytes = reinterpret_cast<const unsigned char*>(options);
     for (std::size_t i = sizeof(Options); i < size; ++i)
         if (bytes[i] != 0)
@@ -59,19 +61,21 @@ void write_struct(Struct* out, Struct value, std::size_t minimum_size, const cha
         fail(Status::invalid_argument, "%s is misaligned", name);
     const std::size_t size = out->struct_size;
     if (size < minimum_size || size > 4096)
-        fail(Status::invalid_argument, "%s.struct_size is %zu; set it to the struct's size first", name, size);
+        fail(Status::invalid_argument, "%s.struct_size is %zu; set it to the struct's size first",
+             name, size);
     value.struct_size = static_cast<std::uint32_t>(size);
     if (size > sizeof value) std::memset(static_cast<void*>(out), 0, size);
     std::memcpy(static_cast<void*>(out), &value, std::min(size, sizeof value));
 }
 
-/// Refuses what is not a number, also where a call would not read it: such a value is a mistake of the
-/// host's.
+/// Refuses what is not a number, also where a call would not read it: such a value is a mistake of
+/// the host's.
 struct NamedNumber {
     const char* name;
     double value;
 };
-inline void check_numbers(std::initializer_list<NamedNumber> numbers, const char* options = "options") {
+inline void check_numbers(std::initializer_list<NamedNumber> numbers,
+                          const char* options = "options") {
     for (const NamedNumber& number : numbers)
         if (std::isnan(number.value))
             fail(Status::invalid_argument, "%s.%s is not a number", options, number.name);

@@ -12,13 +12,15 @@ using namespace mien::abi;
 
 mien_registration::mien_registration(RegistrationResult&& result)
     : Object(kTag), data(std::move(result)), json(registration_json(data)) {
-    // Places that a file's float coordinates hold exactly: what comes after the fit gives the same bits
-    // whether it reads the fitted face from here or from the file that it was saved to.
+    // Places that a file's float coordinates hold exactly: what comes after the fit gives the same
+    // bits whether it reads the fitted face from here or from the file that it was saved to.
     data.fitted.vertices = data.fitted.vertices.cast<float>().cast<double>();
     mesh = new mien_mesh(std::make_shared<const TriMesh>(std::move(data.fitted)));
 }
 
-mien_registration::~mien_registration() { release(mesh); }
+mien_registration::~mien_registration() {
+    release(mesh);
+}
 
 namespace {
 
@@ -45,7 +47,8 @@ mien_register_options default_register_options() {
 
 void require_range(std::int32_t value, std::int32_t low, std::int32_t high, const char* name) {
     if (value < low || value > high)
-        fail(Status::unsupported_option, "options.%s is %d, allowed are %d to %d", name, value, low, high);
+        fail(Status::unsupported_option, "options.%s is %d, allowed are %d to %d", name, value, low,
+             high);
 }
 
 RegistrationOptions convert(const mien_register_options& given) {
@@ -64,7 +67,8 @@ RegistrationOptions convert(const mien_register_options& given) {
                    {"max_angle_deg", given.max_angle_deg},
                    {"start_scale", given.start_scale}});
     for (const double number : given.start_rotation) check_numbers({{"start_rotation", number}});
-    for (const double number : given.start_translation) check_numbers({{"start_translation", number}});
+    for (const double number : given.start_translation)
+        check_numbers({{"start_translation", number}});
     RegistrationOptions options;
     options.growth = static_cast<ModeGrowth>(given.growth);
     options.start = static_cast<StartKind>(given.start);
@@ -91,12 +95,14 @@ RegistrationOptions convert(const mien_register_options& given) {
 }
 
 std::vector<LandmarkPoint> read_landmarks(const mien_register_options& given) {
-    check_array(given.landmarks, given.landmark_count, alignof(mien_scan_landmark), 1000000, "options.landmarks");
+    check_array(given.landmarks, given.landmark_count, alignof(mien_scan_landmark), 1000000,
+                "options.landmarks");
     std::vector<LandmarkPoint> landmarks;
     for (std::uint64_t k = 0; k < given.landmark_count; ++k) {
         const mien_scan_landmark& landmark = given.landmarks[k];
-        landmarks.push_back({checked_text(landmark.name, "a landmark's name"),
-                             Vector3(landmark.position[0], landmark.position[1], landmark.position[2])});
+        landmarks.push_back(
+            {checked_text(landmark.name, "a landmark's name"),
+             Vector3(landmark.position[0], landmark.position[1], landmark.position[2])});
     }
     return landmarks;
 }
@@ -109,12 +115,13 @@ void MIEN_CALL mien_register_options_init(mien_register_options* options, size_t
     write_defaults(options, struct_size, default_register_options());
 }
 
-mien_status MIEN_CALL mien_register(mien_session* session, const mien_model* model, const mien_mesh* scan,
-                                    const mien_register_options* options, mien_registration** out,
-                                    mien_error* error) {
+mien_status MIEN_CALL mien_register(mien_session* session, const mien_model* model,
+                                    const mien_mesh* scan, const mien_register_options* options,
+                                    mien_registration** out, mien_error* error) {
     return guarded_create(out, error, [&] {
-        const mien_register_options given = read_options(
-            options, default_register_options(), MIEN_FIRST_SIZE(mien_register_options, cancel), "options");
+        const mien_register_options given =
+            read_options(options, default_register_options(),
+                         MIEN_FIRST_SIZE(mien_register_options, cancel), "options");
         const DeformationModel& face = *checked(model, "model").model;
         const TriMesh& data = *checked(scan, "scan").mesh;
         const Call call(session, given.progress, given.progress_user, given.cancel);
@@ -148,25 +155,32 @@ mien_status MIEN_CALL mien_registration_get_verdict(const mien_registration* reg
     });
 }
 
-mien_status MIEN_CALL mien_registration_get_field(const mien_registration* registration, int32_t field,
-                                                  double* dst, uint64_t capacity, uint64_t* count,
-                                                  mien_error* error) {
+mien_status MIEN_CALL mien_registration_get_field(const mien_registration* registration,
+                                                  int32_t field, double* dst, uint64_t capacity,
+                                                  uint64_t* count, mien_error* error) {
     return guarded(error, [&] {
         const RegistrationResult& data = checked(registration, "registration").data;
         Vector scaled;
         const Vector* values = nullptr;
         switch (field) {
-            case MIEN_REGISTRATION_RESIDUAL_MM: values = &data.residual_mm; break;
-            case MIEN_REGISTRATION_WEIGHT: values = &data.weight; break;
-            case MIEN_REGISTRATION_STANDARD_DEVIATION_MM: values = &data.confidence_mm; break;
+            case MIEN_REGISTRATION_RESIDUAL_MM:
+                values = &data.residual_mm;
+                break;
+            case MIEN_REGISTRATION_WEIGHT:
+                values = &data.weight;
+                break;
+            case MIEN_REGISTRATION_STANDARD_DEVIATION_MM:
+                values = &data.confidence_mm;
+                break;
             case MIEN_REGISTRATION_RADIUS95_MM:
                 scaled = kRadius95 * data.confidence_mm;
                 values = &scaled;
                 break;
-            default: fail(Status::not_found, "a registration has no field %d", field);
+            default:
+                fail(Status::not_found, "a registration has no field %d", field);
         }
-        copy_rows(values->data(), static_cast<std::uint64_t>(values->size()), sizeof(double), dst, capacity,
-                  count);
+        copy_rows(values->data(), static_cast<std::uint64_t>(values->size()), sizeof(double), dst,
+                  capacity, count);
     });
 }
 
@@ -175,7 +189,8 @@ mien_status MIEN_CALL mien_registration_get_correspondence(const mien_registrati
                                                            uint64_t capacity, uint64_t* count,
                                                            mien_error* error) {
     return guarded(error, [&] {
-        const std::vector<SurfaceHit>& hits = checked(registration, "registration").data.correspondence;
+        const std::vector<SurfaceHit>& hits =
+            checked(registration, "registration").data.correspondence;
         store(count, hits.size());
         if (triangles == nullptr && barycentric == nullptr && capacity == 0) return;
         if (capacity < hits.size())
@@ -186,13 +201,14 @@ mien_status MIEN_CALL mien_registration_get_correspondence(const mien_registrati
         for (std::size_t i = 0; i < hits.size(); ++i) {
             if (triangles != nullptr) triangles[i] = hits[i].triangle;
             if (barycentric != nullptr)
-                for (int k = 0; k < 3; ++k) barycentric[3 * i + static_cast<std::size_t>(k)] = hits[i].barycentric[k];
+                for (int k = 0; k < 3; ++k)
+                    barycentric[3 * i + static_cast<std::size_t>(k)] = hits[i].barycentric[k];
         }
     });
 }
 
-mien_status MIEN_CALL mien_registration_get_motion(const mien_registration* registration, double* matrix,
-                                                   mien_error* error) {
+mien_status MIEN_CALL mien_registration_get_motion(const mien_registration* registration,
+                                                   double* matrix, mien_error* error) {
     return guarded(error, [&] {
         const Similarity& motion = checked(registration, "registration").data.motion;
         if (matrix == nullptr) fail(Status::invalid_argument, "matrix is null");
@@ -206,14 +222,19 @@ mien_status MIEN_CALL mien_registration_get_motion(const mien_registration* regi
 }
 
 mien_status MIEN_CALL mien_registration_get_json(const mien_registration* registration, char* dst,
-                                                 uint64_t capacity, uint64_t* count, mien_error* error) {
+                                                 uint64_t capacity, uint64_t* count,
+                                                 mien_error* error) {
     return guarded(error, [&] {
         const std::string& json = checked(registration, "registration").json;
         copy_text(json.data(), json.size(), dst, capacity, count);
     });
 }
 
-void MIEN_CALL mien_registration_retain(mien_registration* registration) { retain(registration); }
-void MIEN_CALL mien_registration_release(mien_registration* registration) { release(registration); }
+void MIEN_CALL mien_registration_retain(mien_registration* registration) {
+    retain(registration);
+}
+void MIEN_CALL mien_registration_release(mien_registration* registration) {
+    release(registration);
+}
 
 }  // extern "C"

@@ -15,5 +15,5 @@ struct mien_registration : mien::abi::Object {
 
     mien::RegistrationResult data;  // data.fitted has moved into `mesh`
     std::string json;
-    mien_mesh* mesh = nullptr;      // one reference of our own
+    mien_mesh* mesh = nullptr;  // one reference of our own
 };

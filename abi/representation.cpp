@@ -48,11 +48,14 @@ mien_status MIEN_CALL mien_representation_train(mien_session* session, const cha
             FaceDataset::open(checked_text(dataset_path, "dataset_path"), {}, call.context());
         std::vector<Index> chosen;
         for (Index k = 0; k < data.num_faces(); ++k)
-            if (neutral_only == 0 || data.expression(k) == data.neutral_expression()) chosen.push_back(k);
+            if (neutral_only == 0 || data.expression(k) == data.neutral_expression())
+                chosen.push_back(k);
         if (chosen.empty()) fail(Status::not_found, "the dataset has no neutral face");
         FaceSource source;
         source.count = static_cast<Index>(chosen.size());
-        source.face = [&](Index k, Points& face) { data.face(chosen[static_cast<std::size_t>(k)], face); };
+        source.face = [&](Index k, Points& face) {
+            data.face(chosen[static_cast<std::size_t>(k)], face);
+        };
         return new mien_representation(FaceFeatures::train(
             data.triangles(), source, static_cast<FeatureKind>(kind), call.context()));
     });
@@ -62,22 +65,24 @@ mien_status MIEN_CALL mien_representation_load(mien_session* session, const char
                                                mien_representation** out, mien_error* error) {
     return guarded_create(out, error, [&] {
         const Call call(session);
-        return new mien_representation(FaceFeatures::load(checked_text(path, "path"), {}, call.context()));
+        return new mien_representation(
+            FaceFeatures::load(checked_text(path, "path"), {}, call.context()));
     });
 }
 
 mien_status MIEN_CALL mien_representation_save(mien_session* session,
-                                               const mien_representation* representation, const char* path,
-                                               mien_error* error) {
+                                               const mien_representation* representation,
+                                               const char* path, mien_error* error) {
     return guarded(error, [&] {
         const Call call(session);
-        checked(representation, "representation").data->save(checked_text(path, "path"), call.context());
+        checked(representation, "representation")
+            .data->save(checked_text(path, "path"), call.context());
     });
 }
 
 mien_status MIEN_CALL mien_representation_get_counts(const mien_representation* representation,
-                                                     uint64_t* vertex_count, uint64_t* channel_count,
-                                                     mien_error* error) {
+                                                     uint64_t* vertex_count,
+                                                     uint64_t* channel_count, mien_error* error) {
     return guarded(error, [&] {
         const FaceFeatures& data = *checked(representation, "representation").data;
         store(vertex_count, data.num_vertices());
@@ -88,13 +93,15 @@ mien_status MIEN_CALL mien_representation_get_counts(const mien_representation* 
 mien_status MIEN_CALL mien_representation_encode(mien_session* session,
                                                  const mien_representation* representation,
                                                  const mien_mesh* face, double* motion, double* dst,
-                                                 uint64_t capacity, uint64_t* count, mien_error* error) {
+                                                 uint64_t capacity, uint64_t* count,
+                                                 mien_error* error) {
     return guarded(error, [&] {
         const FaceFeatures& data = *checked(representation, "representation").data;
         const TriMesh& mesh = *checked(face, "face").mesh;
         const Call call(session);
         const auto rows = static_cast<uint64_t>(data.num_vertices());
-        const std::size_t row_bytes = static_cast<std::size_t>(data.num_channels()) * sizeof(double);
+        const std::size_t row_bytes =
+            static_cast<std::size_t>(data.num_channels()) * sizeof(double);
         if (dst == nullptr || capacity < rows) {  // the count needs no work
             wants_copy(rows, dst, capacity, count);
             return;
@@ -114,13 +121,15 @@ mien_status MIEN_CALL mien_representation_encode(mien_session* session,
 mien_status MIEN_CALL mien_representation_decode(mien_session* session,
                                                  const mien_representation* representation,
                                                  const double* features, uint64_t row_count,
-                                                 const double* motion, mien_mesh** out, mien_error* error) {
+                                                 const double* motion, mien_mesh** out,
+                                                 mien_error* error) {
     return guarded_create(out, error, [&] {
         const FaceFeatures& data = *checked(representation, "representation").data;
         const Call call(session);
         if (row_count != static_cast<uint64_t>(data.num_vertices()))
             fail(Status::mismatch, "row_count is %llu, the representation has %lld vertices",
-                 static_cast<unsigned long long>(row_count), static_cast<long long>(data.num_vertices()));
+                 static_cast<unsigned long long>(row_count),
+                 static_cast<long long>(data.num_vertices()));
         if (features == nullptr) fail(Status::invalid_argument, "features is null");
         if (reinterpret_cast<std::uintptr_t>(features) % alignof(double) != 0 ||
             reinterpret_cast<std::uintptr_t>(motion) % alignof(double) != 0)
@@ -133,7 +142,11 @@ mien_status MIEN_CALL mien_representation_decode(mien_session* session,
     });
 }
 
-void MIEN_CALL mien_representation_retain(mien_representation* representation) { retain(representation); }
-void MIEN_CALL mien_representation_release(mien_representation* representation) { release(representation); }
+void MIEN_CALL mien_representation_retain(mien_representation* representation) {
+    retain(representation);
+}
+void MIEN_CALL mien_representation_release(mien_representation* representation) {
+    release(representation);
+}
 
 }  // extern "C"

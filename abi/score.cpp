@@ -36,8 +36,10 @@ mien_score_options default_score_options() {
 }
 
 ScoreOptions read_score_options(const mien_score_options& given, Index num_vertices) {
-    if (given.reserved != 0 || given.reserved2 != 0) fail(Status::unsupported_option, "options.reserved is not zero");
-    if (given.focus > 1) fail(Status::unsupported_option, "options.focus is %u; it is 0 or 1", given.focus);
+    if (given.reserved != 0 || given.reserved2 != 0)
+        fail(Status::unsupported_option, "options.reserved is not zero");
+    if (given.focus > 1)
+        fail(Status::unsupported_option, "options.focus is %u; it is 0 or 1", given.focus);
     if (given.method != MIEN_PLS_NIPALS && given.method != MIEN_PLS_SIMPLS)
         fail(Status::unsupported_option, "options.method is %d, which is unknown", given.method);
     check_numbers({{"curvature_share", given.curvature_share},
@@ -55,9 +57,10 @@ ScoreOptions read_score_options(const mien_score_options& given, Index num_verti
     options.curvature_radius_mm = given.curvature_radius_mm;
     options.lowest = given.lowest;
     options.highest = given.highest;
-    options.zone = read_vertices(given.zone_vertices, given.zone_count, num_vertices, "options.zone_vertices");
-    options.stable_zone =
-        read_vertices(given.stable_vertices, given.stable_count, num_vertices, "options.stable_vertices");
+    options.zone =
+        read_vertices(given.zone_vertices, given.zone_count, num_vertices, "options.zone_vertices");
+    options.stable_zone = read_vertices(given.stable_vertices, given.stable_count, num_vertices,
+                                        "options.stable_vertices");
     return options;
 }
 
@@ -77,19 +80,23 @@ void MIEN_CALL mien_score_options_init(mien_score_options* options, size_t struc
 
 mien_status MIEN_CALL mien_score_model_train(mien_session* session, const char* dataset_path,
                                              const double* grades, uint64_t grade_count,
-                                             const mien_score_options* options, mien_score_model** out,
-                                             mien_error* error) {
+                                             const mien_score_options* options,
+                                             mien_score_model** out, mien_error* error) {
     return guarded_create(out, error, [&] {
-        const mien_score_options given = read_options(
-            options, default_score_options(), MIEN_FIRST_SIZE(mien_score_options, cancel), "options");
+        const mien_score_options given =
+            read_options(options, default_score_options(),
+                         MIEN_FIRST_SIZE(mien_score_options, cancel), "options");
         const Call call(session, given.progress, given.progress_user, given.cancel);
-        const FaceDataset faces = FaceDataset::open(checked_text(dataset_path, "dataset_path"), {}, call.context());
+        const FaceDataset faces =
+            FaceDataset::open(checked_text(dataset_path, "dataset_path"), {}, call.context());
         const ScoreOptions settings = read_score_options(given, faces.num_vertices());
         if (grade_count != static_cast<std::uint64_t>(faces.num_faces()))
             fail(Status::mismatch, "grade_count is %llu, the dataset has %lld faces",
-                 static_cast<unsigned long long>(grade_count), static_cast<long long>(faces.num_faces()));
+                 static_cast<unsigned long long>(grade_count),
+                 static_cast<long long>(faces.num_faces()));
         const std::vector<double> list = read_array(grades, grade_count, grade_count, "grades");
-        const Vector values = Eigen::Map<const Vector>(list.data(), static_cast<Index>(list.size()));
+        const Vector values =
+            Eigen::Map<const Vector>(list.data(), static_cast<Index>(list.size()));
         return new mien_score_model(train_score(faces, values, settings, call.context()));
     });
 }
@@ -98,7 +105,8 @@ mien_status MIEN_CALL mien_score_model_load(mien_session* session, const char* p
                                             mien_score_model** out, mien_error* error) {
     return guarded_create(out, error, [&] {
         const Call call(session);
-        return new mien_score_model(load_score_model(checked_text(path, "path"), {}, call.context()));
+        return new mien_score_model(
+            load_score_model(checked_text(path, "path"), {}, call.context()));
     });
 }
 
@@ -129,9 +137,10 @@ mien_status MIEN_CALL mien_score_model_predict(mien_session* session, const mien
     });
 }
 
-mien_status MIEN_CALL mien_score_model_simulate(mien_session* session, const mien_score_model* model,
-                                                const mien_mesh* face, double target, mien_mesh** out,
-                                                mien_error* error) {
+mien_status MIEN_CALL mien_score_model_simulate(mien_session* session,
+                                                const mien_score_model* model,
+                                                const mien_mesh* face, double target,
+                                                mien_mesh** out, mien_error* error) {
     return guarded_create(out, error, [&] {
         const ScoreModel& data = *checked(model, "model").data;
         const Call call(session);
@@ -157,21 +166,27 @@ mien_status MIEN_CALL mien_score_model_get_latent(const mien_score_model* model,
                  static_cast<long long>(data.num_components()));
         const Vector values = component == -1 ? Vector(data.unit_displacement.rowwise().norm())
                                               : Vector(data.latent_pictures.col(component));
-        copy_rows(values.data(), static_cast<uint64_t>(values.size()), sizeof(double), dst, capacity, count);
+        copy_rows(values.data(), static_cast<uint64_t>(values.size()), sizeof(double), dst,
+                  capacity, count);
     });
 }
 
-mien_status MIEN_CALL mien_score_model_get_json(const mien_score_model* model, char* dst, uint64_t capacity,
-                                                uint64_t* count, mien_error* error) {
+mien_status MIEN_CALL mien_score_model_get_json(const mien_score_model* model, char* dst,
+                                                uint64_t capacity, uint64_t* count,
+                                                mien_error* error) {
     return guarded(error, [&] {
         const std::string& json = checked(model, "model").json;
         copy_text(json.data(), json.size(), dst, capacity, count);
     });
 }
 
-void MIEN_CALL mien_score_model_retain(mien_score_model* model) { retain(model); }
+void MIEN_CALL mien_score_model_retain(mien_score_model* model) {
+    retain(model);
+}
 
-void MIEN_CALL mien_score_model_release(mien_score_model* model) { release(model); }
+void MIEN_CALL mien_score_model_release(mien_score_model* model) {
+    release(model);
+}
 
 mien_status MIEN_CALL mien_statistics_agreement(mien_session* session, const int32_t* ratings,
                                                 uint64_t subject_count, uint32_t rater_count,
@@ -182,12 +197,13 @@ mien_status MIEN_CALL mien_statistics_agreement(mien_session* session, const int
         if (ratings == nullptr) fail(Status::invalid_argument, "ratings is null");
         if (reinterpret_cast<std::uintptr_t>(ratings) % alignof(std::int32_t) != 0)
             fail(Status::invalid_argument, "ratings is not aligned to its 4-byte values");
-        if (subject_count < 2 || subject_count > 10000000 || rater_count < 2 || rater_count > 1000 ||
-            grade_count < 2 || grade_count > 1000)
+        if (subject_count < 2 || subject_count > 10000000 || rater_count < 2 ||
+            rater_count > 1000 || grade_count < 2 || grade_count > 1000)
             fail(Status::invalid_argument,
                  "%llu subjects (2 to 1e7), %u raters (2 to 1000), %d grades (2 to 1000)",
                  static_cast<unsigned long long>(subject_count), rater_count, grade_count);
-        using RowMajor = Eigen::Matrix<std::int32_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+        using RowMajor =
+            Eigen::Matrix<std::int32_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
         const Ratings table = Eigen::Map<const RowMajor>(ratings, static_cast<Index>(subject_count),
                                                          static_cast<Index>(rater_count));
         const std::string json = agreement_json(table, grade_count);
@@ -197,20 +213,23 @@ mien_status MIEN_CALL mien_statistics_agreement(mien_session* session, const int
 
 mien_status MIEN_CALL mien_statistics_repeatability(mien_session* session, const double* values,
                                                     const int32_t* subjects, uint64_t value_count,
-                                                    const double* blanks, uint64_t blank_count, char* dst,
-                                                    uint64_t capacity, uint64_t* count, mien_error* error) {
+                                                    const double* blanks, uint64_t blank_count,
+                                                    char* dst, uint64_t capacity, uint64_t* count,
+                                                    mien_error* error) {
     return guarded(error, [&] {
         const Call call(session);
         const std::vector<double> list = read_list(values, value_count, "values");
         const std::vector<int> who = read_array(subjects, value_count, kMostValues, "subjects");
-        const std::string json = repeatability_json(list, who, read_list(blanks, blank_count, "blanks"));
+        const std::string json =
+            repeatability_json(list, who, read_list(blanks, blank_count, "blanks"));
         copy_text(json.data(), json.size(), dst, capacity, count);
     });
 }
 
 mien_status MIEN_CALL mien_statistics_bland_altman(mien_session* session, const double* first,
-                                                   const double* second, uint64_t value_count, char* dst,
-                                                   uint64_t capacity, uint64_t* count, mien_error* error) {
+                                                   const double* second, uint64_t value_count,
+                                                   char* dst, uint64_t capacity, uint64_t* count,
+                                                   mien_error* error) {
     return guarded(error, [&] {
         const Call call(session);
         const std::string json = bland_altman_json(read_list(first, value_count, "first"),

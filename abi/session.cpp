@@ -29,14 +29,17 @@ Call::Call(mien_session* session, mien_progress_fn progress, void* progress_user
     }
 }
 
-Call::~Call() { release(cancel_); }
+Call::~Call() {
+    release(cancel_);
+}
 
 std::int32_t Call::forward_progress(void* call, std::int32_t stage, double fraction) {
     const auto* self = static_cast<const Call*>(call);
     try {
         return self->progress_(self->progress_user_, stage, fraction);
     } catch (...) {
-        fail(Status::callback, "the progress callback threw an exception; callbacks must not unwind");
+        fail(Status::callback,
+             "the progress callback threw an exception; callbacks must not unwind");
     }
 }
 
@@ -65,8 +68,9 @@ mien_session* create_session(std::uint32_t abi_version, const mien_session_optio
         fail(Status::unsupported_version,
              "the program was built for Mien's ABI %u, this library (%s) offers %u", abi_version,
              MIEN_VERSION_STRING, MIEN_ABI_VERSION);
-    const mien_session_options given = read_options(
-        options, default_session_options(), MIEN_FIRST_SIZE(mien_session_options, log_user), "options");
+    const mien_session_options given =
+        read_options(options, default_session_options(),
+                     MIEN_FIRST_SIZE(mien_session_options, log_user), "options");
     if (given.num_threads < 1 || given.num_threads > kMaxThreads)
         fail(Status::invalid_argument, "options.num_threads is %d, allowed are 1 to %d",
              given.num_threads, kMaxThreads);
@@ -78,7 +82,8 @@ mien_session* create_session(std::uint32_t abi_version, const mien_session_optio
         try {
             session->pool = std::make_unique<ThreadPool>(given.num_threads);
         } catch (const std::system_error&) {
-            fail(Status::no_memory, "cannot start %d threads; ask for fewer", given.num_threads - 1);
+            fail(Status::no_memory, "cannot start %d threads; ask for fewer",
+                 given.num_threads - 1);
         }
     }
     return session.release();
@@ -104,7 +109,9 @@ mien_status MIEN_CALL mien_session_create_with_options(uint32_t abi_version,
     return guarded_create(out, error, [&] { return create_session(abi_version, options); });
 }
 
-void MIEN_CALL mien_session_release(mien_session* session) { release(session); }
+void MIEN_CALL mien_session_release(mien_session* session) {
+    release(session);
+}
 
 mien_status MIEN_CALL mien_cancel_create(mien_cancel** out, mien_error* error) {
     return guarded_create(out, error, [] { return new mien_cancel; });
@@ -114,13 +121,17 @@ void MIEN_CALL mien_cancel_request(mien_cancel* cancel) {
     if (is_live(cancel)) cancel->token.request();
 }
 
-void MIEN_CALL mien_cancel_release(mien_cancel* cancel) { release(cancel); }
+void MIEN_CALL mien_cancel_release(mien_cancel* cancel) {
+    release(cancel);
+}
 
 uint32_t MIEN_CALL mien_version_number(void) {
     return MIEN_VERSION_MAJOR * 1000000u + MIEN_VERSION_MINOR * 1000u + MIEN_VERSION_PATCH;
 }
 
-const char* MIEN_CALL mien_version_string(void) { return MIEN_VERSION_STRING; }
+const char* MIEN_CALL mien_version_string(void) {
+    return MIEN_VERSION_STRING;
+}
 
 const char* MIEN_CALL mien_build_id(void) {
 #if defined(__clang__)

@@ -1,9 +1,9 @@
 // Frequency bands and distances.
+#include "spectral.hpp"
 #include "arrays.hpp"
 #include "guard.hpp"
 #include "options.hpp"
 #include "session.hpp"
-#include "spectral.hpp"
 #include "spectral/metrics.hpp"
 
 using namespace mien;
@@ -22,15 +22,16 @@ SpectralBasisOptions basis_settings(const mien_spectral_basis_options& given) {
     settings.num_modes = given.mode_count;
     if (given.mass < MIEN_MASS_MIXED_VORONOI || given.mass > MIEN_MASS_NONE)
         fail(Status::unsupported_option, "options.mass is %d", given.mass);
-    if (given.cotangents < MIEN_COTANGENTS_INTRINSIC_DELAUNAY || given.cotangents > MIEN_COTANGENTS_KEEP)
+    if (given.cotangents < MIEN_COTANGENTS_INTRINSIC_DELAUNAY ||
+        given.cotangents > MIEN_COTANGENTS_KEEP)
         fail(Status::unsupported_option, "options.cotangents is %d", given.cotangents);
     settings.with_mass = given.mass != MIEN_MASS_NONE;
     settings.laplacian.mass =
         given.mass == MIEN_MASS_BARYCENTRIC ? MassKind::barycentric : MassKind::mixed_voronoi;
-    settings.laplacian.negative = given.cotangents == MIEN_COTANGENTS_KEEP ? NegativeCotangents::keep
-                                  : given.cotangents == MIEN_COTANGENTS_CLAMP
-                                      ? NegativeCotangents::clamp
-                                      : NegativeCotangents::intrinsic_delaunay;
+    settings.laplacian.negative =
+        given.cotangents == MIEN_COTANGENTS_KEEP    ? NegativeCotangents::keep
+        : given.cotangents == MIEN_COTANGENTS_CLAMP ? NegativeCotangents::clamp
+                                                    : NegativeCotangents::intrinsic_delaunay;
     return settings;
 }
 
@@ -52,7 +53,8 @@ Vector read_doubles(const double* values, std::uint64_t count, const char* name)
 
 extern "C" {
 
-void MIEN_CALL mien_spectral_basis_options_init(mien_spectral_basis_options* options, size_t struct_size) {
+void MIEN_CALL mien_spectral_basis_options_init(mien_spectral_basis_options* options,
+                                                size_t struct_size) {
     write_defaults(options, struct_size, default_basis_options());
 }
 
@@ -65,7 +67,8 @@ mien_status MIEN_CALL mien_spectral_basis_build(mien_session* session, const mie
                          MIEN_FIRST_SIZE(mien_spectral_basis_options, cancel), "options");
         const TriMesh& mesh = *checked(mean, "mean").mesh;
         const Call call(session, given.progress, given.progress_user, given.cancel);
-        return new mien_spectral_basis(build_spectral_basis(mesh, basis_settings(given), call.context()));
+        return new mien_spectral_basis(
+            build_spectral_basis(mesh, basis_settings(given), call.context()));
     });
 }
 
@@ -73,15 +76,18 @@ mien_status MIEN_CALL mien_spectral_basis_load(mien_session* session, const char
                                                mien_spectral_basis** out, mien_error* error) {
     return guarded_create(out, error, [&] {
         const Call call(session);
-        return new mien_spectral_basis(load_spectral_basis(checked_text(path, "path"), {}, call.context()));
+        return new mien_spectral_basis(
+            load_spectral_basis(checked_text(path, "path"), {}, call.context()));
     });
 }
 
-mien_status MIEN_CALL mien_spectral_basis_save(mien_session* session, const mien_spectral_basis* basis,
-                                               const char* path, mien_error* error) {
+mien_status MIEN_CALL mien_spectral_basis_save(mien_session* session,
+                                               const mien_spectral_basis* basis, const char* path,
+                                               mien_error* error) {
     return guarded(error, [&] {
         const Call call(session);
-        save_spectral_basis(checked_text(path, "path"), *checked(basis, "basis").data, call.context());
+        save_spectral_basis(checked_text(path, "path"), *checked(basis, "basis").data,
+                            call.context());
     });
 }
 
@@ -95,17 +101,22 @@ mien_status MIEN_CALL mien_spectral_basis_get_counts(const mien_spectral_basis* 
     });
 }
 
-mien_status MIEN_CALL mien_spectral_basis_get_eigenvalues(const mien_spectral_basis* basis, double* dst,
-                                                          uint64_t capacity, uint64_t* count,
-                                                          mien_error* error) {
+mien_status MIEN_CALL mien_spectral_basis_get_eigenvalues(const mien_spectral_basis* basis,
+                                                          double* dst, uint64_t capacity,
+                                                          uint64_t* count, mien_error* error) {
     return guarded(error, [&] {
         const Vector& values = checked(basis, "basis").data->values;
-        copy_rows(values.data(), static_cast<uint64_t>(values.size()), sizeof(double), dst, capacity, count);
+        copy_rows(values.data(), static_cast<uint64_t>(values.size()), sizeof(double), dst,
+                  capacity, count);
     });
 }
 
-void MIEN_CALL mien_spectral_basis_retain(mien_spectral_basis* basis) { retain(basis); }
-void MIEN_CALL mien_spectral_basis_release(mien_spectral_basis* basis) { release(basis); }
+void MIEN_CALL mien_spectral_basis_retain(mien_spectral_basis* basis) {
+    retain(basis);
+}
+void MIEN_CALL mien_spectral_basis_release(mien_spectral_basis* basis) {
+    release(basis);
+}
 
 mien_status MIEN_CALL mien_spectral_split(mien_session* session, const mien_spectral_basis* basis,
                                           const mien_mesh* face, uint64_t k, mien_mesh** low,
@@ -130,15 +141,17 @@ mien_status MIEN_CALL mien_spectral_split(mien_session* session, const mien_spec
     });
 }
 
-mien_status MIEN_CALL mien_spectral_assemble(mien_session* session, const mien_spectral_basis* basis,
-                                             const mien_mesh* low, const mien_mesh* high, uint64_t k,
-                                             mien_mesh** out, mien_error* error) {
+mien_status MIEN_CALL mien_spectral_assemble(mien_session* session,
+                                             const mien_spectral_basis* basis, const mien_mesh* low,
+                                             const mien_mesh* high, uint64_t k, mien_mesh** out,
+                                             mien_error* error) {
     return guarded_create(out, error, [&] {
         const SpectralBasis& data = *checked(basis, "basis").data;
         const TriMesh &first = *checked(low, "low").mesh, &second = *checked(high, "high").mesh;
         const Call call(session);
-        return make_mesh(assemble(data, first.vertices, second.vertices, as_index(k), call.context()),
-                         data.mean_mesh.triangles);
+        return make_mesh(
+            assemble(data, first.vertices, second.vertices, as_index(k), call.context()),
+            data.mean_mesh.triangles);
     });
 }
 
@@ -151,8 +164,8 @@ mien_status MIEN_CALL mien_spectral_edit(mien_session* session, const mien_spect
         const TriMesh& mesh = *checked(face, "face").mesh;
         const Call call(session);
         const std::vector<Index> cuts = read_limits(limits, limit_count);
-        return make_mesh(edit_bands(data, mesh.vertices, cuts, read_doubles(gains, limit_count + 1, "gains"),
-                                    call.context()),
+        return make_mesh(edit_bands(data, mesh.vertices, cuts,
+                                    read_doubles(gains, limit_count + 1, "gains"), call.context()),
                          data.mean_mesh.triangles);
     });
 }
@@ -166,25 +179,38 @@ mien_status MIEN_CALL mien_spectral_mix(mien_session* session, const mien_spectr
         const TriMesh &a = *checked(first, "first").mesh, &b = *checked(second, "second").mesh;
         const Call call(session);
         const std::vector<Index> cuts = read_limits(limits, limit_count);
-        return make_mesh(mix_bands(data, a.vertices, b.vertices, cuts,
-                                   read_doubles(weights, limit_count + 1, "weights"), call.context()),
-                         data.mean_mesh.triangles);
+        return make_mesh(
+            mix_bands(data, a.vertices, b.vertices, cuts,
+                      read_doubles(weights, limit_count + 1, "weights"), call.context()),
+            data.mean_mesh.triangles);
     });
 }
 
 mien_status MIEN_CALL mien_metric(mien_session* session, int32_t metric, const mien_mesh* reference,
                                   const mien_mesh* other, double* value, mien_error* error) {
     return guarded(error, [&] {
-        const TriMesh &a = *checked(reference, "reference").mesh, &b = *checked(other, "other").mesh;
+        const TriMesh &a = *checked(reference, "reference").mesh,
+                      &b = *checked(other, "other").mesh;
         const Call call(session);
         if (value == nullptr) fail(Status::invalid_argument, "value is null");
         switch (metric) {
-            case MIEN_METRIC_L1: store(value, l1_distance(a.vertices, b.vertices)); break;
-            case MIEN_METRIC_L2: store(value, l2_distance(a.vertices, b.vertices)); break;
-            case MIEN_METRIC_HAUSDORFF: store(value, hausdorff_distance(a, b, call.context())); break;
-            case MIEN_METRIC_DAME: store(value, dame(a, b, call.context())); break;
-            case MIEN_METRIC_FMPD: store(value, fmpd(a, b, call.context())); break;
-            default: fail(Status::invalid_argument, "metric is %d, allowed are 1 to 5", metric);
+            case MIEN_METRIC_L1:
+                store(value, l1_distance(a.vertices, b.vertices));
+                break;
+            case MIEN_METRIC_L2:
+                store(value, l2_distance(a.vertices, b.vertices));
+                break;
+            case MIEN_METRIC_HAUSDORFF:
+                store(value, hausdorff_distance(a, b, call.context()));
+                break;
+            case MIEN_METRIC_DAME:
+                store(value, dame(a, b, call.context()));
+                break;
+            case MIEN_METRIC_FMPD:
+                store(value, fmpd(a, b, call.context()));
+                break;
+            default:
+                fail(Status::invalid_argument, "metric is %d, allowed are 1 to 5", metric);
         }
     });
 }

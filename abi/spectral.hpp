@@ -30,7 +30,8 @@ inline mien_mesh* make_mesh(Points&& vertices, const Triangles& triangles) {
 
 /// Counts of the host's that are larger than any mesh mean "all".
 inline Index as_index(std::uint64_t value) {
-    return static_cast<Index>(std::min<std::uint64_t>(value, std::numeric_limits<std::int32_t>::max()));
+    return static_cast<Index>(
+        std::min<std::uint64_t>(value, std::numeric_limits<std::int32_t>::max()));
 }
 
 }  // namespace mien::abi

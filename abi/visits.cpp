@@ -1,8 +1,8 @@
 // Visits: one person's faces over time, neutralized together for measuring.
+#include "expression/visits.hpp"
 #include "arrays.hpp"
 #include "expression.hpp"
 #include "expression/neutralize_mesh.hpp"
-#include "expression/visits.hpp"
 #include "expression_options.hpp"
 #include "guard.hpp"
 #include "options.hpp"
@@ -31,26 +31,35 @@ mien_visits_options default_visits_options() {
 }
 
 /// Faces as the core takes them: the model's part of each mesh, which may be larger.
-std::vector<VisitFace> visit_faces(const ExpressionModel& model, const std::vector<std::shared_ptr<const TriMesh>>& meshes,
+std::vector<VisitFace> visit_faces(const ExpressionModel& model,
+                                   const std::vector<std::shared_ptr<const TriMesh>>& meshes,
                                    const mien_array_view& view) {
     const Index all = meshes.front()->vertices.rows(), n = model.num_vertices();
     Vector weights;
     if (view.count != 0) {
         if (view.count != meshes.size() * static_cast<std::uint64_t>(all))
-            fail(Status::mismatch, "options.weights holds %llu numbers, not one per vertex of %zu faces of %lld vertices",
-                 static_cast<unsigned long long>(view.count), meshes.size(), static_cast<long long>(all));
+            fail(Status::mismatch,
+                 "options.weights holds %llu numbers, not one per vertex of %zu faces of %lld "
+                 "vertices",
+                 static_cast<unsigned long long>(view.count), meshes.size(),
+                 static_cast<long long>(all));
         weights = read_values(view, "options.weights");
     }
     std::vector<VisitFace> faces;
     for (std::size_t k = 0; k < meshes.size(); ++k) {
         const TriMesh& mesh = *meshes[k];
-        if (mesh.vertices.rows() != all || match_topology(model, all, mesh.triangles) == TopologyMatch::none)
+        if (mesh.vertices.rows() != all ||
+            match_topology(model, all, mesh.triangles) == TopologyMatch::none)
             fail(Status::mismatch,
-                 "face %zu (%lld vertices) is not in the expression model's topology (%lld vertices), or not in that of "
-                 "the first face: register all with the template that the model's faces were made with",
+                 "face %zu (%lld vertices) is not in the expression model's topology (%lld "
+                 "vertices), or not in that of "
+                 "the first face: register all with the template that the model's faces were made "
+                 "with",
                  k, static_cast<long long>(mesh.vertices.rows()), static_cast<long long>(n));
-        faces.push_back({mesh.vertices.topRows(n),
-                         weights.size() != 0 ? Vector(weights.segment(static_cast<Index>(k) * all, n)) : Vector()});
+        faces.push_back(
+            {mesh.vertices.topRows(n), weights.size() != 0
+                                           ? Vector(weights.segment(static_cast<Index>(k) * all, n))
+                                           : Vector()});
     }
     return faces;
 }
@@ -69,33 +78,40 @@ void MIEN_CALL mien_visits_options_init(mien_visits_options* options, size_t str
     write_defaults(options, struct_size, default_visits_options());
 }
 
-mien_status MIEN_CALL mien_neutralize_visits(mien_session* session, const mien_expression_model* model,
+mien_status MIEN_CALL mien_neutralize_visits(mien_session* session,
+                                             const mien_expression_model* model,
                                              const mien_mesh* const* faces, uint32_t face_count,
-                                             const mien_visits_options* options, mien_visits** out, mien_error* error) {
+                                             const mien_visits_options* options, mien_visits** out,
+                                             mien_error* error) {
     return guarded_create(out, error, [&] {
         const mien_visits_options given =
-            read_options(options, default_visits_options(), MIEN_FIRST_SIZE(mien_visits_options, cancel), "options");
+            read_options(options, default_visits_options(),
+                         MIEN_FIRST_SIZE(mien_visits_options, cancel), "options");
         const Call call(session, given.progress, given.progress_user, given.cancel);
         auto visits = std::make_unique<mien_visits>();
         visits->model = checked(model, "model").model;
         check_pose(given.pose);
-        check_numbers({{"normal_noise_mm2", given.normal_noise_mm2}, {"tangential_noise_mm2", given.tangential_noise_mm2}});
+        check_numbers({{"normal_noise_mm2", given.normal_noise_mm2},
+                       {"tangential_noise_mm2", given.tangential_noise_mm2}});
         if (given.weights.count != 0) check_view(given.weights, 1, "options.weights");
         if (face_count == 0) fail(Status::invalid_argument, "face_count is 0");
         check_array(faces, face_count, alignof(const mien_mesh*), 200, "faces");
         std::vector<std::shared_ptr<const TriMesh>> meshes;
-        for (uint32_t k = 0; k < face_count; ++k) meshes.push_back(checked(faces[k], "a face").mesh);
+        for (uint32_t k = 0; k < face_count; ++k)
+            meshes.push_back(checked(faces[k], "a face").mesh);
         const Index all = meshes.front()->vertices.rows(), n = visits->model->num_vertices();
         VisitsOptions settings;
         settings.pose = static_cast<Pose>(given.pose);
         settings.normal_noise_mm2 = given.normal_noise_mm2;
         settings.tangential_noise_mm2 = given.tangential_noise_mm2;
         const std::vector<VisitFace> parts = visit_faces(*visits->model, meshes, given.weights);
-        for (const std::uint32_t vertex :
-             read_vertices(given.treated_vertices, given.treated_count, all, "options.treated_vertices")) {
+        for (const std::uint32_t vertex : read_vertices(given.treated_vertices, given.treated_count,
+                                                        all, "options.treated_vertices")) {
             if (vertex >= static_cast<std::uint64_t>(all))
-                fail(Status::mismatch, "options.treated_vertices names vertex %u of %lld", vertex, static_cast<long long>(all));
-            if (vertex < static_cast<std::uint64_t>(n)) settings.treated.push_back(vertex);  // no expression behind the rim
+                fail(Status::mismatch, "options.treated_vertices names vertex %u of %lld", vertex,
+                     static_cast<long long>(all));
+            if (vertex < static_cast<std::uint64_t>(n))
+                settings.treated.push_back(vertex);  // no expression behind the rim
         }
         visits->result = neutralize_visits(call.context(), *visits->model, parts, settings);
         for (uint32_t k = 0; k < face_count; ++k) {
@@ -109,15 +125,17 @@ mien_status MIEN_CALL mien_neutralize_visits(mien_session* session, const mien_e
     });
 }
 
-mien_status MIEN_CALL mien_visits_get_mesh(const mien_visits* visits, int32_t index, mien_mesh** out, mien_error* error) {
+mien_status MIEN_CALL mien_visits_get_mesh(const mien_visits* visits, int32_t index,
+                                           mien_mesh** out, mien_error* error) {
     return guarded_create(out, error, [&] {
         const mien_visits& data = checked(visits, "visits");
         return new mien_mesh(data.neutrals[checked_visit(data, index)]);
     });
 }
 
-mien_status MIEN_CALL mien_visits_get_expression(const mien_visits* visits, int32_t index, char* dst, uint64_t capacity,
-                                                 uint64_t* count, mien_error* error) {
+mien_status MIEN_CALL mien_visits_get_expression(const mien_visits* visits, int32_t index,
+                                                 char* dst, uint64_t capacity, uint64_t* count,
+                                                 mien_error* error) {
     return guarded(error, [&] {
         const mien_visits& data = checked(visits, "visits");
         const std::size_t k = checked_visit(data, index);
@@ -126,8 +144,9 @@ mien_status MIEN_CALL mien_visits_get_expression(const mien_visits* visits, int3
     });
 }
 
-mien_status MIEN_CALL mien_visits_get_removed_volume(const mien_visits* visits, int32_t first, int32_t second,
-                                                     const mien_zone* zone, double* removed_ml, double* sd_ml,
+mien_status MIEN_CALL mien_visits_get_removed_volume(const mien_visits* visits, int32_t first,
+                                                     int32_t second, const mien_zone* zone,
+                                                     double* removed_ml, double* sd_ml,
                                                      mien_error* error) {
     return guarded(error, [&] {
         const mien_visits& data = checked(visits, "visits");
@@ -139,18 +158,22 @@ mien_status MIEN_CALL mien_visits_get_removed_volume(const mien_visits* visits, 
             vertices = read_zone(*zone, all).vertices;
             for (const std::uint32_t vertex : vertices)
                 if (vertex >= static_cast<std::uint64_t>(all))
-                    fail(Status::mismatch, "the zone names vertex %u of %lld", vertex, static_cast<long long>(all));
+                    fail(Status::mismatch, "the zone names vertex %u of %lld", vertex,
+                         static_cast<long long>(all));
         } else {
             for (Index v = 0; v < all; ++v) vertices.push_back(static_cast<std::uint32_t>(v));
         }
         check_output(removed_ml, "removed_ml");
         check_output(sd_ml, "sd_ml");
-        const RemovedVolume removed = removed_volume(Context(), *data.model, data.result, from, to, vertices);
+        const RemovedVolume removed =
+            removed_volume(Context(), *data.model, data.result, from, to, vertices);
         store(removed_ml, removed.removed_ml);
         store(sd_ml, removed.sd_ml);
     });
 }
 
-void MIEN_CALL mien_visits_release(mien_visits* visits) { release(visits); }
+void MIEN_CALL mien_visits_release(mien_visits* visits) {
+    release(visits);
+}
 
 }  // extern "C"

@@ -4,13 +4,12 @@
 #include <stdio.h>
 #include <string.h>
 
-int main(void)
-{
+int main(void) {
     static const float positions[9] = {0, 0, 0, 10, 0, 0, 0, 10, 0};
     static const uint32_t triangles[3] = {0, 1, 2};
     mien_error error;
-    mien_session *session = NULL;
-    mien_mesh *mesh = NULL;
+    mien_session* session = NULL;
+    mien_mesh* mesh = NULL;
     mien_mesh_arrays arrays;
     uint64_t vertices = 0, faces = 0;
 
@@ -22,7 +21,8 @@ int main(void)
     arrays.positions.dtype = MIEN_DTYPE_F32;
     arrays.triangles = triangles;
     arrays.triangle_count = 1;
-    if (mien_session_create(MIEN_ABI_VERSION, &session, &error) || mien_mesh_create(session, &arrays, &mesh, &error) ||
+    if (mien_session_create(MIEN_ABI_VERSION, &session, &error) ||
+        mien_mesh_create(session, &arrays, &mesh, &error) ||
         mien_mesh_get_counts(mesh, &vertices, &faces, &error))
         fprintf(stderr, "mien: %s\n", error.message);
     else

@@ -1,23 +1,22 @@
-/* From a raw scan to a neutral face: first_program FACE.safetensors EXPRESSIONS.safetensors SCAN.ply NEUTRAL.ply */
+/* From a raw scan to a neutral face: first_program FACE.safetensors EXPRESSIONS.safetensors
+ * SCAN.ply NEUTRAL.ply */
 #include <mien/mien.h>
 #include <stdio.h>
 
-static int32_t on_progress(void *user, int32_t stage, double fraction)
-{
+static int32_t on_progress(void* user, int32_t stage, double fraction) {
     (void)user;
     printf("\rstage %d  %3.0f%%", (int)stage, 100.0 * fraction);
     return 0; /* non-zero cancels */
 }
 
-int main(int argc, char **argv)
-{
+int main(int argc, char** argv) {
     mien_error error = {.struct_size = sizeof error};
-    mien_session *session = NULL;
-    mien_mesh *scan = NULL;
-    mien_model *face = NULL;
-    mien_expression_model *expressions = NULL;
-    mien_registration *fitted = NULL;
-    mien_neutralization *neutral = NULL;
+    mien_session* session = NULL;
+    mien_mesh* scan = NULL;
+    mien_model* face = NULL;
+    mien_expression_model* expressions = NULL;
+    mien_registration* fitted = NULL;
+    mien_neutralization* neutral = NULL;
     mien_register_options options;
 
     if (argc != 5) return 2; /* face.model expressions.model scan.ply neutral.ply */

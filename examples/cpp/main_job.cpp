@@ -1,5 +1,6 @@
 // From a raw scan to a neutral face and the volume in between, by the C++ face.
-//   main_job FACE.safetensors EXPRESSIONS.safetensors SCAN.ply FITTED.ply NEUTRAL.ply [NEUTRAL_FROM_FILE.ply]
+//   main_job FACE.safetensors EXPRESSIONS.safetensors SCAN.ply FITTED.ply NEUTRAL.ply
+//   [NEUTRAL_FROM_FILE.ply]
 // With a sixth path, the fitted face is also read back from its file and neutralized from there.
 #include <cstdio>
 #include <mien/mien.hpp>

@@ -17,9 +17,10 @@ double distance_to_bone(V3 p) {  // lower jaw: chin to angle to joint
     return std::fmin(segment({6, -76, 80}, {47, -44, 14}), segment({47, -44, 14}, {55, -12, 6}));
 }
 
-// A harmonic function on the surface (weights by inverse edge length): 1 on the lower lip, the chin and
-// along the jaw bone, 0 on the upper lip, above the nose's base, on the nape and low on the neck. The
-// open mouth keeps the lips apart. Then a little smoothing takes away the kinks at the fixed ends.
+// A harmonic function on the surface (weights by inverse edge length): 1 on the lower lip, the chin
+// and along the jaw bone, 0 on the upper lip, above the nose's base, on the nape and low on the
+// neck. The open mouth keeps the lips apart. Then a little smoothing takes away the kinks at the
+// fixed ends.
 std::vector<double> jaw_field(const TemplateHead& head) {
     const std::size_t n = head.points.size();
     std::vector<double> w(n, 0.5);
@@ -31,13 +32,20 @@ std::vector<double> jaw_field(const TemplateHead& head) {
             w[v] = value;
             fixed[v] = 1;
         };
-        if (head.rim[v] == Rim::lip_lower) fix(mix(1.0, 0.55, ramp(10, 25, x)));
-        else if (head.rim[v] == Rim::lip_upper) fix(mix(0.0, 0.35, ramp(15, 25, x)));
-        else if (head.rim[v] == Rim::lip_corner) fix(0.45);
-        else if (p.y > -16 || p.z < -12 || p.y < -112) fix(0);
-        else if (p.y > -40 && x < 14 && p.z > 85) fix(0);
-        else if (distance_to_bone(p) < 19 && p.y < -24) fix(1 - 0.75 * ramp(-44, -24, p.y));
-        else if (p.y < -55 && x < 18 && p.z > 82) fix(1);
+        if (head.rim[v] == Rim::lip_lower)
+            fix(mix(1.0, 0.55, ramp(10, 25, x)));
+        else if (head.rim[v] == Rim::lip_upper)
+            fix(mix(0.0, 0.35, ramp(15, 25, x)));
+        else if (head.rim[v] == Rim::lip_corner)
+            fix(0.45);
+        else if (p.y > -16 || p.z < -12 || p.y < -112)
+            fix(0);
+        else if (p.y > -40 && x < 14 && p.z > 85)
+            fix(0);
+        else if (distance_to_bone(p) < 19 && p.y < -24)
+            fix(1 - 0.75 * ramp(-44, -24, p.y));
+        else if (p.y < -55 && x < 18 && p.z > 82)
+            fix(1);
     }
     std::vector<double> next;
     for (int sweep = 0; sweep < 240; ++sweep) {
@@ -65,7 +73,8 @@ std::vector<double> jaw_field(const TemplateHead& head) {
 
 }  // namespace
 
-std::vector<V3> normals_of(const std::vector<V3>& points, const std::vector<std::array<int, 3>>& triangles) {
+std::vector<V3> normals_of(const std::vector<V3>& points,
+                           const std::vector<std::array<int, 3>>& triangles) {
     std::vector<V3> normals(points.size());
     for (const auto& t : triangles) {
         const V3 n = cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]);

@@ -36,7 +36,8 @@ DemoFaces::DemoFaces() {
     parts->mesh.vertices = flat(head.points, parts->anatomy.count());
     for (const auto& t : head.triangles)
         for (int v : t) parts->mesh.triangles.push_back(static_cast<std::uint32_t>(v));
-    for (const auto& c : head.colors) parts->mesh.colors.insert(parts->mesh.colors.end(), c.begin(), c.end());
+    for (const auto& c : head.colors)
+        parts->mesh.colors.insert(parts->mesh.colors.end(), c.begin(), c.end());
     for (const auto& [name, vertex] : head.landmarks)
         parts->landmarks.emplace_back(name, static_cast<std::uint32_t>(vertex));
     for (const auto& [name, members] : head.zones)
@@ -50,16 +51,24 @@ DemoFaces::DemoFaces() {
 
 DemoFaces::~DemoFaces() = default;
 
-const FaceMesh& DemoFaces::template_mesh() const { return parts_->mesh; }
+const FaceMesh& DemoFaces::template_mesh() const {
+    return parts_->mesh;
+}
 const std::vector<std::pair<std::string, std::uint32_t>>& DemoFaces::landmarks() const {
     return parts_->landmarks;
 }
 const std::vector<std::pair<std::string, std::vector<std::uint32_t>>>& DemoFaces::zones() const {
     return parts_->zones;
 }
-const std::vector<std::uint32_t>& DemoFaces::lips() const { return parts_->lips; }
-const std::vector<std::uint32_t>& DemoFaces::mirror() const { return parts_->mirror; }
-const std::vector<std::string>& DemoFaces::identity_names() const { return parts_->basis.names; }
+const std::vector<std::uint32_t>& DemoFaces::lips() const {
+    return parts_->lips;
+}
+const std::vector<std::uint32_t>& DemoFaces::mirror() const {
+    return parts_->mirror;
+}
+const std::vector<std::string>& DemoFaces::identity_names() const {
+    return parts_->basis.names;
+}
 const std::vector<double>& DemoFaces::identity_direction(int k) const {
     return parts_->directions.at(static_cast<std::size_t>(k));
 }
@@ -90,7 +99,8 @@ std::vector<std::vector<double>> DemoFaces::all_faces(const Person& person) cons
     return all;
 }
 
-SimulatedScan DemoFaces::scan(const Person& person, int expression, const ScanOptions& options) const {
+SimulatedScan DemoFaces::scan(const Person& person, int expression,
+                              const ScanOptions& options) const {
     const auto neutral = neutral_shape(parts_->anatomy, parts_->basis, person);
     const auto shape = express(parts_->anatomy, neutral, person, expression);
     return simulate_scan(parts_->anatomy, neutral, shape, person, options);

@@ -2,8 +2,8 @@
 // expressions whose shapes depend on the person, and simulated scans. No file is read, nothing is
 // downloaded; the same seed gives the same bits everywhere.
 //
-//     const mien::demo::DemoFaces faces;                       // about a second: meshes the template
-//     const auto person = faces.person(1, 7);                  // seed, subject
+//     const mien::demo::DemoFaces faces;                       // about a second: meshes the
+//     template const auto person = faces.person(1, 7);                  // seed, subject
 //     std::vector<double> grin = faces.face(person, faces.expression_index("grin"));
 //
 // Lengths are millimetres; +x the subject's left, +y up, +z out of the face. Arrays are flat:
@@ -29,31 +29,31 @@ struct FaceMesh {
 struct Person {
     std::uint64_t seed = 0;
     int subject = 0;
-    std::vector<double> weights;   ///< one per identity direction, unit variance, within +-2.5
-    double liveliness = 1;         ///< scales every expression
-    double detail_mm = 0.25;       ///< soft shape that no identity direction explains
+    std::vector<double> weights;  ///< one per identity direction, unit variance, within +-2.5
+    double liveliness = 1;        ///< scales every expression
+    double detail_mm = 0.25;      ///< soft shape that no identity direction explains
 };
 
 struct ScanOptions {
-    std::uint64_t seed = 0;        ///< another scan of the same face
-    bool cylindrical = true;       ///< from ear to ear; otherwise from the front only
-    double step_mm = 1.0;          ///< distance of scan points
-    double noise_mm = 0.15;        ///< standard deviation along the ray
-    double spike_share = 0.0004;   ///< share of points that are off by 3 to 25 mm
+    std::uint64_t seed = 0;       ///< another scan of the same face
+    bool cylindrical = true;      ///< from ear to ear; otherwise from the front only
+    double step_mm = 1.0;         ///< distance of scan points
+    double noise_mm = 0.15;       ///< standard deviation along the ray
+    double spike_share = 0.0004;  ///< share of points that are off by 3 to 25 mm
     int holes = 3;
     bool hair = true;
     double pose_deg = 14, pose_mm = 80;  ///< turned and moved by half to all of this
-    double pick_mm = 1.0;          ///< standard deviation of the picked landmarks, per axis
+    double pick_mm = 1.0;                ///< standard deviation of the picked landmarks, per axis
 };
 
 /// A scan as a scanner makes it, in its own frame and connectivity, with the truth in that frame.
 struct SimulatedScan {
     FaceMesh mesh;
     std::vector<std::pair<std::string, std::array<double, 3>>> landmarks;  ///< picked, with error
-    std::vector<double> truth;           ///< template topology, 3 #V, scan frame
-    std::vector<double> truth_neutral;   ///< the same person without expression, scan frame
-    std::vector<std::uint8_t> visible;   ///< per template vertex: the scan has its surface
-    std::array<double, 9> rotation{};    ///< row-major; scan = rotation * head + translation
+    std::vector<double> truth;          ///< template topology, 3 #V, scan frame
+    std::vector<double> truth_neutral;  ///< the same person without expression, scan frame
+    std::vector<std::uint8_t> visible;  ///< per template vertex: the scan has its surface
+    std::array<double, 9> rotation{};   ///< row-major; scan = rotation * head + translation
     std::array<double, 3> translation{};
 };
 

@@ -1,7 +1,8 @@
-// Twenty expressions as muscles and bones make them: the jaw turns about its joints, the lids roll over
-// the eyeballs, the rest are soft pulls at places of the face. Everything is measured on the person at
-// hand (joints, lids, width and height of mouth and face), strength differs from person to person and
-// from side to side, and one more muscle twitches a little, so that no bilinear model holds exactly.
+// Twenty expressions as muscles and bones make them: the jaw turns about its joints, the lids roll
+// over the eyeballs, the rest are soft pulls at places of the face. Everything is measured on the
+// person at hand (joints, lids, width and height of mouth and face), strength differs from person
+// to person and from side to side, and one more muscle twitches a little, so that no bilinear model
+// holds exactly.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -14,10 +15,34 @@ namespace {
 
 // Action units; all are one-sided pairs (left, right) except those from kJawOpen on.
 enum Unit {
-    kSmile, kFrown, kDimple, kStretch, kUpperUp, kLowerDown, kPress, kCheekSquint, kPuff, kBrowDown,
-    kBrowInnerUp, kBrowOuterUp, kSneer, kBlink, kPaired,
-    kJawOpen = kPaired, kJawLeft, kJawRight, kJawForward, kMouthLeft, kMouthRight, kShrugLower,
-    kShrugUpper, kPucker, kFunnel, kRollLower, kRollUpper, kUnits
+    kSmile,
+    kFrown,
+    kDimple,
+    kStretch,
+    kUpperUp,
+    kLowerDown,
+    kPress,
+    kCheekSquint,
+    kPuff,
+    kBrowDown,
+    kBrowInnerUp,
+    kBrowOuterUp,
+    kSneer,
+    kBlink,
+    kPaired,
+    kJawOpen = kPaired,
+    kJawLeft,
+    kJawRight,
+    kJawForward,
+    kMouthLeft,
+    kMouthRight,
+    kShrugLower,
+    kShrugUpper,
+    kPucker,
+    kFunnel,
+    kRollLower,
+    kRollUpper,
+    kUnits
 };
 
 struct Recipe {
@@ -68,8 +93,9 @@ Strengths strengths_of(const Person& person, int expression) {
     }
     if (expression != 0) {
         // Closed lids stay closed and a mouth that opens stays open: only soft pulls twitch.
-        static constexpr Unit kTwitch[] = {kSmile, kFrown, kDimple, kStretch, kCheekSquint, kPuff,
-                                           kBrowDown, kBrowInnerUp, kBrowOuterUp, kSneer};
+        static constexpr Unit kTwitch[] = {kSmile,       kFrown, kDimple,   kStretch,
+                                           kCheekSquint, kPuff,  kBrowDown, kBrowInnerUp,
+                                           kBrowOuterUp, kSneer};
         const Unit unit = kTwitch[random.bits() % 10];
         const double extra = 0.1 * random.uniform();
         s.left[unit] += extra;
@@ -192,7 +218,8 @@ V3 pulls(V3 p, double jaw, const double* own, const Sizes& size) {
     if (shift != 0) {
         // Slides along the arch of the teeth.
         const double dx = 8.0 * size.mouth * shift * mouth;
-        d += V3{dx, 0.6 * std::fabs(dx) / 8 * clamp(p.x * shift / 25, -1, 1), -0.020 * (2 * p.x * dx + dx * dx) * mouth};
+        d += V3{dx, 0.6 * std::fabs(dx) / 8 * clamp(p.x * shift / 25, -1, 1),
+                -0.020 * (2 * p.x * dx + dx * dx) * mouth};
         d += V3{2.0 * shift * soft(p, {0, -14, 106}, {16, 10, 18}), 0, 0};
     }
     if (own[kShrugLower] != 0) {
@@ -222,7 +249,8 @@ V3 pulls(V3 p, double jaw, const double* own, const Sizes& size) {
     }
     const double roll = std::max(own[kRollLower] * jaw, own[kRollUpper] * upper);
     if (roll != 0) {
-        const double red = soft(q, {0, line, 97}, {24, 7.5, 26}) * (1 - 0.5 * across * clamp(across, 0, 1));
+        const double red =
+            soft(q, {0, line, 97}, {24, 7.5, 26}) * (1 - 0.5 * across * clamp(across, 0, 1));
         d += roll * red * V3{0, -0.42 * (p.y - line), -4.0 * size.lips};
         add(roll * soft(q, {0, -31, 100}, {18, 4.5, 22}), 0, -0.6, 1.0);
         add(roll * soft(q, {0, -58, 94}, {18, 4.5, 22}), 0, 0.6, 1.2);
@@ -254,12 +282,14 @@ void close_eye(const Anatomy& a, const std::vector<V3>& neutral, std::vector<V3>
         if (above == curve.begin()) return above->second;
         if (above == curve.end()) return std::prev(above)->second;
         const auto below = std::prev(above);
-        return mix(below->second, above->second, (x - below->first) / (above->first - below->first));
+        return mix(below->second, above->second,
+                   (x - below->first) / (above->first - below->first));
     };
     for (int v = 0; v < a.count(); ++v) {
         const V3 rest = a.rest[v];
         const double x = std::fabs(rest.x);
-        if (rest.x * sign <= 0 || rest.z < 60 || x < 10 || x > 56 || rest.y < 8 || rest.y > 46) continue;
+        if (rest.x * sign <= 0 || rest.z < 60 || x < 10 || x > 56 || rest.y < 8 || rest.y > 46)
+            continue;
         const double up = at(upper, x), low = at(lower, x);
         // A slit of half a millimetre stays; it vanishes where the lids meet anyway.
         const double slit = std::min(0.5 / 13.5, std::max(0.0, up - low));
@@ -268,10 +298,14 @@ void close_eye(const Anatomy& a, const std::vector<V3>& neutral, std::vector<V3>
         const double r_up = at(rest_upper, x), r_low = at(rest_lower, x);
         const double angle = elevation(rest, rest_centre);
         double turn = 0;
-        if (a.head.rim[v] == Rim::lid_upper) turn = drop;
-        else if (a.head.rim[v] == Rim::lid_lower) turn = lift;
-        else if (angle > 0.5 * (r_up + r_low)) turn = drop * ramp(1.15, r_up, angle);
-        else turn = lift * ramp(-0.95, r_low, angle);
+        if (a.head.rim[v] == Rim::lid_upper)
+            turn = drop;
+        else if (a.head.rim[v] == Rim::lid_lower)
+            turn = lift;
+        else if (angle > 0.5 * (r_up + r_low))
+            turn = drop * ramp(1.15, r_up, angle);
+        else
+            turn = lift * ramp(-0.95, r_low, angle);
         // Thick skin towards the brow stays where it is.
         turn *= ramp(10, 16.5, x) * ramp(56, 45.5, x) * ramp(21, 15, norm(rest - rest_centre));
         if (turn == 0) continue;
@@ -310,7 +344,8 @@ std::vector<V3> express(const Anatomy& a, const std::vector<V3>& neutral, const 
         for (int u = 0; u < kUnits; ++u) own[u] = mix(strengths.right[u], strengths.left[u], left);
         shape[v] += pulls(rest, a.jaw[v], own, sizes);
     }
-    // Jaw: opens about the axis through its joints while gliding forward, swings about a vertical axis.
+    // Jaw: opens about the axis through its joints while gliding forward, swings about a vertical
+    // axis.
     const V3 joint = 0.5 * (neutral[a.hinge[0]] + neutral[a.hinge[1]]);
     const V3 axis = normalized(neutral[a.hinge[0]] - neutral[a.hinge[1]]);
     const double open = 0.35 * strengths.left[kJawOpen];
@@ -328,10 +363,13 @@ std::vector<V3> express(const Anatomy& a, const std::vector<V3>& neutral, const 
             shape[v] = p + joint;
             // Corners of the mouth draw together as it opens.
             const V3 q{std::fabs(a.rest[v].x), a.rest[v].y, a.rest[v].z};
-            shape[v].x -= 7.0 * open * (a.rest[v].x > 0 ? 1 : -1) * soft(q, {26, -44, 82}, {12, 14, 30});
+            shape[v].x -=
+                7.0 * open * (a.rest[v].x > 0 ? 1 : -1) * soft(q, {26, -44, 82}, {12, 14, 30});
         }
-    if (strengths.left[kBlink] != 0) close_eye(a, neutral, shape, 0, std::min(1.0, strengths.left[kBlink] + 0.25));
-    if (strengths.right[kBlink] != 0) close_eye(a, neutral, shape, 1, std::min(1.0, strengths.right[kBlink] + 0.25));
+    if (strengths.left[kBlink] != 0)
+        close_eye(a, neutral, shape, 0, std::min(1.0, strengths.left[kBlink] + 0.25));
+    if (strengths.right[kBlink] != 0)
+        close_eye(a, neutral, shape, 1, std::min(1.0, strengths.right[kBlink] + 0.25));
     return shape;
 }
 

@@ -18,82 +18,191 @@ struct Direction {
     V3 (*at)(V3 p, V3 q, double side);
 };
 
-constexpr V3 kTip{0, -12, 106}, kMouth{0, -43, 92}, kEye{31, 25, 80}, kEar{78, 1, -12}, kChin{0, -76, 84};
+constexpr V3 kTip{0, -12, 106}, kMouth{0, -43, 92}, kEye{31, 25, 80}, kEar{78, 1, -12},
+    kChin{0, -76, 84};
 
 const Direction kDirections[] = {
-    {"size", [](V3 p, V3, double) { return 0.022 * (p - V3{0, 10, 0}); }},
-    {"head_width", [](V3 p, V3, double) { return V3{0.026 * p.x, 0, 0}; }},
-    {"head_length", [](V3 p, V3, double) { return V3{0, 0, -0.045 * std::max(0.0, 50 - p.z)}; }},
-    {"head_height", [](V3 p, V3, double) { return V3{0, 4.0 * ramp(35, 130, p.y), 0}; }},
-    {"face_length", [](V3 p, V3, double) { return V3{0, -3.6 * ramp(22, -75, p.y), 0}; }},
-    {"forehead_slope", [](V3 p, V3, double) { return V3{0, 0, -4.5 * ramp(40, 105, p.y) * ramp(-10, 60, p.z)}; }},
-    {"temple_width", [](V3, V3 q, double s) { return V3{2.6 * s * soft(q, {66, 48, 40}, {26, 28, 34}), 0, 0}; }},
-    {"brow_ridge", [](V3, V3 q, double) { return V3{0, 0, 2.2 * soft(q, {22, 43, 88}, {30, 10, 26})}; }},
-    {"brow_height", [](V3, V3 q, double) { return V3{0, 2.0 * soft(q, {30, 43, 84}, {30, 11, 30}), 0}; }},
-    {"eye_spacing", [](V3, V3 q, double s) { return V3{1.7 * s * soft(q, kEye, {26, 18, 40}), 0, 0}; }},
-    {"eye_height", [](V3, V3 q, double) { return V3{0, 1.7 * soft(q, kEye, {32, 16, 40}), 0}; }},
-    {"eye_size", [](V3 p, V3 q, double) {
+    {"size",
+     [](V3 p, V3, double) {
+         return 0.022 * (p - V3{0, 10, 0});
+     }},
+    {"head_width",
+     [](V3 p, V3, double) {
+         return V3{0.026 * p.x, 0, 0};
+     }},
+    {"head_length",
+     [](V3 p, V3, double) {
+         return V3{0, 0, -0.045 * std::max(0.0, 50 - p.z)};
+     }},
+    {"head_height",
+     [](V3 p, V3, double) {
+         return V3{0, 4.0 * ramp(35, 130, p.y), 0};
+     }},
+    {"face_length",
+     [](V3 p, V3, double) {
+         return V3{0, -3.6 * ramp(22, -75, p.y), 0};
+     }},
+    {"forehead_slope",
+     [](V3 p, V3, double) {
+         return V3{0, 0, -4.5 * ramp(40, 105, p.y) * ramp(-10, 60, p.z)};
+     }},
+    {"temple_width",
+     [](V3, V3 q, double s) {
+         return V3{2.6 * s * soft(q, {66, 48, 40}, {26, 28, 34}), 0, 0};
+     }},
+    {"brow_ridge",
+     [](V3, V3 q, double) {
+         return V3{0, 0, 2.2 * soft(q, {22, 43, 88}, {30, 10, 26})};
+     }},
+    {"brow_height",
+     [](V3, V3 q, double) {
+         return V3{0, 2.0 * soft(q, {30, 43, 84}, {30, 11, 30}), 0};
+     }},
+    {"eye_spacing",
+     [](V3, V3 q, double s) {
+         return V3{1.7 * s * soft(q, kEye, {26, 18, 40}), 0, 0};
+     }},
+    {"eye_height",
+     [](V3, V3 q, double) {
+         return V3{0, 1.7 * soft(q, kEye, {32, 16, 40}), 0};
+     }},
+    {"eye_size",
+     [](V3 p, V3 q, double) {
          const double m = 0.075 * soft(q, kEye, {20, 13, 40});
          return V3{m * (q.x - kEye.x) * (p.x < 0 ? -1 : 1), m * (q.y - kEye.y), 0};
      }},
-    {"eye_opening", [](V3, V3 q, double) {
+    {"eye_opening",
+     [](V3, V3 q, double) {
          return V3{0, 0.10 * (q.y - kEye.y) * soft(q, {31, 25, 84}, {17, 8, 40}), 0};
      }},
-    {"eye_slant", [](V3, V3 q, double) {
+    {"eye_slant",
+     [](V3, V3 q, double) {
          return V3{0, 1.5 * clamp((q.x - 29) / 16, -1.3, 1.3) * soft(q, kEye, {24, 15, 40}), 0};
      }},
-    {"eye_depth", [](V3, V3 q, double) { return V3{0, 0, -1.9 * soft(q, kEye, {24, 16, 40})}; }},
-    {"nose_length", [](V3 p, V3, double) { return V3{0, -2.6 * soft(p, kTip, {24, 17, 26}), 0}; }},
-    {"nose_projection", [](V3 p, V3, double) { return V3{0, 0, 2.8 * soft(p, kTip, {19, 17, 26})}; }},
-    {"nose_width", [](V3 p, V3, double) { return V3{0.15 * p.x * soft(p, {0, -14, 99}, {22, 13, 22}), 0, 0}; }},
-    {"nose_bridge_height", [](V3 p, V3, double) { return V3{0, 0, 2.1 * soft(p, {0, 15, 98}, {13, 17, 22})}; }},
-    {"nose_bridge_width", [](V3 p, V3, double) { return V3{0.14 * p.x * soft(p, {0, 14, 94}, {17, 17, 20}), 0, 0}; }},
-    {"nose_tip_tilt", [](V3 p, V3, double) { return V3{0, 2.0 * soft(p, {0, -9, 113}, {15, 9, 14}), 0}; }},
-    {"nostril_flare", [](V3 p, V3 q, double) {
-         return V3{(p.x < 0 ? -1.0 : 1.0) * 1.1 * soft(q, {15, -14, 97}, {7, 8, 13}), 0.7 * soft(q, {12, -16, 98}, {8, 7, 13}), 0};
+    {"eye_depth",
+     [](V3, V3 q, double) {
+         return V3{0, 0, -1.9 * soft(q, kEye, {24, 16, 40})};
      }},
-    {"cheekbone", [](V3, V3 q, double s) {
+    {"nose_length",
+     [](V3 p, V3, double) {
+         return V3{0, -2.6 * soft(p, kTip, {24, 17, 26}), 0};
+     }},
+    {"nose_projection",
+     [](V3 p, V3, double) {
+         return V3{0, 0, 2.8 * soft(p, kTip, {19, 17, 26})};
+     }},
+    {"nose_width",
+     [](V3 p, V3, double) {
+         return V3{0.15 * p.x * soft(p, {0, -14, 99}, {22, 13, 22}), 0, 0};
+     }},
+    {"nose_bridge_height",
+     [](V3 p, V3, double) {
+         return V3{0, 0, 2.1 * soft(p, {0, 15, 98}, {13, 17, 22})};
+     }},
+    {"nose_bridge_width",
+     [](V3 p, V3, double) {
+         return V3{0.14 * p.x * soft(p, {0, 14, 94}, {17, 17, 20}), 0, 0};
+     }},
+    {"nose_tip_tilt",
+     [](V3 p, V3, double) {
+         return V3{0, 2.0 * soft(p, {0, -9, 113}, {15, 9, 14}), 0};
+     }},
+    {"nostril_flare",
+     [](V3 p, V3 q, double) {
+         return V3{(p.x < 0 ? -1.0 : 1.0) * 1.1 * soft(q, {15, -14, 97}, {7, 8, 13}),
+                   0.7 * soft(q, {12, -16, 98}, {8, 7, 13}), 0};
+     }},
+    {"cheekbone",
+     [](V3, V3 q, double s) {
          const double m = soft(q, {50, 2, 62}, {21, 16, 30});
          return V3{2.2 * s * m, 0, 1.3 * m};
      }},
-    {"cheek_fullness", [](V3, V3 q, double s) {
+    {"cheek_fullness",
+     [](V3, V3 q, double s) {
          const double m = soft(q, {46, -26, 60}, {22, 24, 34});
          return V3{3.0 * s * m, 0, 1.8 * m};
      }},
-    {"jaw_width", [](V3, V3 q, double s) { return V3{3.4 * s * soft(q, {52, -46, 24}, {32, 28, 44}), 0, 0}; }},
-    {"jaw_angle", [](V3, V3 q, double) { return V3{0, -3.0 * soft(q, {48, -48, 14}, {26, 24, 32}), 0}; }},
-    {"chin_projection", [](V3 p, V3, double) { return V3{0, 0, 3.4 * soft(p, kChin, {30, 22, 40})}; }},
-    {"chin_height", [](V3 p, V3, double) { return V3{0, -3.0 * soft(p, {0, -84, 82}, {32, 20, 40}), 0}; }},
-    {"chin_width", [](V3 p, V3, double) { return V3{0.13 * p.x * soft(p, kChin, {26, 18, 36}), 0, 0}; }},
-    {"mouth_width", [](V3 p, V3, double) { return V3{0.085 * p.x * soft(p, kMouth, {34, 19, 40}), 0, 0}; }},
-    {"mouth_height", [](V3 p, V3, double) { return V3{0, 1.9 * soft(p, kMouth, {36, 20, 40}), 0}; }},
-    {"mouth_projection", [](V3 p, V3, double) { return V3{0, 0, 2.3 * soft(p, kMouth, {32, 22, 40})}; }},
-    {"upper_lip_fullness", [](V3 p, V3, double) {
+    {"jaw_width",
+     [](V3, V3 q, double s) {
+         return V3{3.4 * s * soft(q, {52, -46, 24}, {32, 28, 44}), 0, 0};
+     }},
+    {"jaw_angle",
+     [](V3, V3 q, double) {
+         return V3{0, -3.0 * soft(q, {48, -48, 14}, {26, 24, 32}), 0};
+     }},
+    {"chin_projection",
+     [](V3 p, V3, double) {
+         return V3{0, 0, 3.4 * soft(p, kChin, {30, 22, 40})};
+     }},
+    {"chin_height",
+     [](V3 p, V3, double) {
+         return V3{0, -3.0 * soft(p, {0, -84, 82}, {32, 20, 40}), 0};
+     }},
+    {"chin_width",
+     [](V3 p, V3, double) {
+         return V3{0.13 * p.x * soft(p, kChin, {26, 18, 36}), 0, 0};
+     }},
+    {"mouth_width",
+     [](V3 p, V3, double) {
+         return V3{0.085 * p.x * soft(p, kMouth, {34, 19, 40}), 0, 0};
+     }},
+    {"mouth_height",
+     [](V3 p, V3, double) {
+         return V3{0, 1.9 * soft(p, kMouth, {36, 20, 40}), 0};
+     }},
+    {"mouth_projection",
+     [](V3 p, V3, double) {
+         return V3{0, 0, 2.3 * soft(p, kMouth, {32, 22, 40})};
+     }},
+    {"upper_lip_fullness",
+     [](V3 p, V3, double) {
          const double m = soft(p, {0, -39, 98}, {21, 5.5, 22}) * ramp(-44.2, -41, p.y);
          return V3{0, 1.0 * m, 0.8 * m};
      }},
-    {"lower_lip_fullness", [](V3 p, V3, double) {
+    {"lower_lip_fullness",
+     [](V3 p, V3, double) {
          const double m = soft(p, {0, -48, 98}, {20, 6, 22}) * ramp(-42.8, -46, p.y);
          return V3{0, -1.1 * m, 0.8 * m};
      }},
-    {"philtrum_depth", [](V3 p, V3, double) { return V3{0, 0, -0.8 * soft(p, {0, -30, 102}, {4.5, 7, 20})}; }},
-    {"ear_size", [](V3 p, V3 q, double) {
+    {"philtrum_depth",
+     [](V3 p, V3, double) {
+         return V3{0, 0, -0.8 * soft(p, {0, -30, 102}, {4.5, 7, 20})};
+     }},
+    {"ear_size",
+     [](V3 p, V3 q, double) {
          const double m = 0.09 * ramp(70, 78, q.x) * soft(q, kEar, {30, 52, 40});
          return V3{0, m * (p.y - kEar.y), m * (p.z - kEar.z)};
      }},
-    {"ear_stand", [](V3 p, V3 q, double) {
+    {"ear_stand",
+     [](V3 p, V3 q, double) {
          const double m = ramp(72, 92, q.x) * ramp(30, 0, p.z) * ramp(-60, -30, p.z);
          return V3{(p.x < 0 ? -2.5 : 2.5) * m, 0, 0};
      }},
-    {"neck_width", [](V3 p, V3, double) {
+    {"neck_width",
+     [](V3 p, V3, double) {
          const double m = 0.06 * ramp(-60, -115, p.y);
          return V3{m * p.x, 0, m * (p.z + 15)};
      }},
-    {"jaw_skew", [](V3 p, V3, double) { return V3{1.3 * ramp(-5, -75, p.y) * ramp(-20, 50, p.z) * ramp(-130, -95, p.y), 0, 0}; }},
-    {"nose_skew", [](V3 p, V3, double) { return V3{1.1 * soft(p, kTip, {20, 20, 28}), 0, 0}; }},
-    {"mouth_skew", [](V3 p, V3, double) { return V3{0, 0.035 * p.x * soft(p, kMouth, {34, 20, 40}), 0}; }},
-    {"eye_skew", [](V3, V3 q, double s) { return V3{0, 0.8 * s * soft(q, {31, 32, 82}, {30, 20, 40}), 0}; }},
-    {"cheek_skew", [](V3, V3 q, double) { return V3{1.1 * soft(q, {48, -20, 58}, {24, 30, 36}), 0, 0}; }},
+    {"jaw_skew",
+     [](V3 p, V3, double) {
+         return V3{1.3 * ramp(-5, -75, p.y) * ramp(-20, 50, p.z) * ramp(-130, -95, p.y), 0, 0};
+     }},
+    {"nose_skew",
+     [](V3 p, V3, double) {
+         return V3{1.1 * soft(p, kTip, {20, 20, 28}), 0, 0};
+     }},
+    {"mouth_skew",
+     [](V3 p, V3, double) {
+         return V3{0, 0.035 * p.x * soft(p, kMouth, {34, 20, 40}), 0};
+     }},
+    {"eye_skew",
+     [](V3, V3 q, double s) {
+         return V3{0, 0.8 * s * soft(q, {31, 32, 82}, {30, 20, 40}), 0};
+     }},
+    {"cheek_skew",
+     [](V3, V3 q, double) {
+         return V3{1.1 * soft(q, {48, -20, 58}, {24, 30, 36}), 0, 0};
+     }},
 };
 
 // Smooth random function of position with unit variance.
@@ -132,18 +241,22 @@ IdentityBasis make_identity_basis(const Anatomy& anatomy) {
     return basis;
 }
 
-std::vector<V3> neutral_shape(const Anatomy& anatomy, const IdentityBasis& basis, const Person& person) {
+std::vector<V3> neutral_shape(const Anatomy& anatomy, const IdentityBasis& basis,
+                              const Person& person) {
     std::vector<V3> shape = anatomy.rest;
     for (std::size_t k = 0; k < basis.directions.size() && k < person.weights.size(); ++k)
-        for (std::size_t v = 0; v < shape.size(); ++v) shape[v] += person.weights[k] * basis.directions[k][v];
+        for (std::size_t v = 0; v < shape.size(); ++v)
+            shape[v] += person.weights[k] * basis.directions[k][v];
     // Detail that is nobody else's, faded out where skin is thin (lids, lips).
     if (person.detail_mm > 0) {
         Random random(person.seed, 1000003u * static_cast<std::uint64_t>(person.subject) + 17);
         const Waves broad(random, 42), fine(random, 17);
         for (int v = 0; v < anatomy.count(); ++v) {
             const V3 p = anatomy.rest[v], q{std::fabs(p.x), p.y, p.z};
-            const double thin = std::max(soft(q, {31, 25, 80}, {22, 13, 30}), soft(p, {0, -43, 92}, {32, 13, 30}));
-            const double height = person.detail_mm * (1 - 0.9 * thin) * (1.6 * broad(p) + 0.6 * fine(p));
+            const double thin =
+                std::max(soft(q, {31, 25, 80}, {22, 13, 30}), soft(p, {0, -43, 92}, {32, 13, 30}));
+            const double height =
+                person.detail_mm * (1 - 0.9 * thin) * (1.6 * broad(p) + 0.6 * fine(p));
             shape[v] += height * anatomy.normals[v];
         }
     }

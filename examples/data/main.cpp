@@ -1,5 +1,5 @@
-// mien-demo-data: writes a template, a training set and a simulated scan session of a person that is
-// not in it, so that everything can be tried without a download. Built on the C ABI's C++ face.
+// mien-demo-data: writes a template, a training set and a simulated scan session of a person that
+// is not in it, so that everything can be tried without a download. Built on the C ABI's C++ face.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -30,9 +30,11 @@ constexpr const char* kUsage =
     "\n"
     "Writes, all made up (millimetres):\n"
     "  template.ply landmarks.json zones.json   the template head\n"
-    "  train.safetensors test.safetensors       subjects x 20 expressions, different people (30 and 5)\n"
+    "  train.safetensors test.safetensors       subjects x 20 expressions, different people (30 "
+    "and 5)\n"
     "  scan/                                    a scan session of one more person: scan_grin.ply,\n"
-    "                                           scan_mouth_stretch.ply, scan_neutral.ply, landmarks of\n"
+    "                                           scan_mouth_stretch.ply, scan_neutral.ply, "
+    "landmarks of\n"
     "                                           each, and the true faces in the scans' frame\n"
     "\n"
     "Example: mien-demo-data --out demo --subjects 40\n";
@@ -41,8 +43,8 @@ int number(const char* text, const char* option, int low, int high) {
     char* end = nullptr;
     const long value = std::strtol(text, &end, 10);
     if (end == text || *end != '\0' || value < low || value > high)
-        throw std::invalid_argument(std::string(option) + " takes a number from " + std::to_string(low) +
-                                    " to " + std::to_string(high));
+        throw std::invalid_argument(std::string(option) + " takes a number from " +
+                                    std::to_string(low) + " to " + std::to_string(high));
     return static_cast<int>(value);
 }
 
@@ -52,11 +54,16 @@ Settings parse(int argc, char** argv) {
         const std::string option = argv[k];
         if (k + 1 >= argc) throw std::invalid_argument(option + " needs a value");
         const char* value = argv[++k];
-        if (option == "--out") settings.out = value;
-        else if (option == "--subjects") settings.subjects = number(value, "--subjects", 1, 2000);
-        else if (option == "--test-subjects") settings.test_subjects = number(value, "--test-subjects", 0, 2000);
-        else if (option == "--seed") settings.seed = static_cast<std::uint64_t>(number(value, "--seed", 0, 1000000000));
-        else throw std::invalid_argument("unknown option " + option);
+        if (option == "--out")
+            settings.out = value;
+        else if (option == "--subjects")
+            settings.subjects = number(value, "--subjects", 1, 2000);
+        else if (option == "--test-subjects")
+            settings.test_subjects = number(value, "--test-subjects", 0, 2000);
+        else if (option == "--seed")
+            settings.seed = static_cast<std::uint64_t>(number(value, "--seed", 0, 1000000000));
+        else
+            throw std::invalid_argument("unknown option " + option);
     }
     if (settings.out.empty()) throw std::invalid_argument("--out is missing");
     return settings;
@@ -85,15 +92,18 @@ class Writer {
             colors.push_back({like.colors[k], like.colors[k + 1], like.colors[k + 2]});
         return mien::Mesh(session_, positions, triangles, colors);
     }
-    void save(const std::string& name, const std::vector<double>& vertices, const FaceMesh& like) const {
+    void save(const std::string& name, const std::vector<double>& vertices,
+              const FaceMesh& like) const {
         mesh(vertices, like).save(session_, folder_ + name);
     }
     void save(const std::string& name, const json& value) const {
         write_text(folder_ + name, value.dump(1) + "\n");
     }
-    void dataset(const std::string& name, const DemoFaces& faces, std::uint64_t seed, int first, int count) const {
+    void dataset(const std::string& name, const DemoFaces& faces, std::uint64_t seed, int first,
+                 int count) const {
         const FaceMesh& topology = faces.template_mesh();
-        mien::DatasetWriter writer(session_, mesh(topology.vertices, topology), DemoFaces::expression_names());
+        mien::DatasetWriter writer(session_, mesh(topology.vertices, topology),
+                                   DemoFaces::expression_names());
         std::vector<mien::Position> positions(topology.vertices.size() / 3);
         for (int s = first; s < first + count; ++s) {
             int expression = 0;
@@ -151,9 +161,11 @@ void run(const Settings& settings) {
             if (scan.visible[v]) visible["zones"]["visible"].push_back(v);
         writer.save("scan/visible" + suffix + ".json", visible);
     }
-    std::printf("%s: template of %zu vertices, %d + %d people x %zu expressions, 3 scans of one more person\n",
-                settings.out.c_str(), head.vertices.size() / 3, settings.subjects, settings.test_subjects,
-                DemoFaces::expression_names().size());
+    std::printf(
+        "%s: template of %zu vertices, %d + %d people x %zu expressions, 3 scans of one more "
+        "person\n",
+        settings.out.c_str(), head.vertices.size() / 3, settings.subjects, settings.test_subjects,
+        DemoFaces::expression_names().size());
 }
 
 }  // namespace

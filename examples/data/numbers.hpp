@@ -14,28 +14,56 @@ struct V3 {
     double& operator[](int k) { return k == 0 ? x : k == 1 ? y : z; }
     double operator[](int k) const { return k == 0 ? x : k == 1 ? y : z; }
 };
-inline V3 operator+(V3 a, V3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-inline V3 operator-(V3 a, V3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-inline V3 operator-(V3 a) { return {-a.x, -a.y, -a.z}; }
-inline V3 operator*(double s, V3 a) { return {s * a.x, s * a.y, s * a.z}; }
-inline V3 operator*(V3 a, double s) { return s * a; }
-inline V3 operator/(V3 a, double s) { return {a.x / s, a.y / s, a.z / s}; }
-inline V3& operator+=(V3& a, V3 b) { return a = a + b; }
-inline V3& operator-=(V3& a, V3 b) { return a = a - b; }
-inline double dot(V3 a, V3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline V3 operator+(V3 a, V3 b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline V3 operator-(V3 a, V3 b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline V3 operator-(V3 a) {
+    return {-a.x, -a.y, -a.z};
+}
+inline V3 operator*(double s, V3 a) {
+    return {s * a.x, s * a.y, s * a.z};
+}
+inline V3 operator*(V3 a, double s) {
+    return s * a;
+}
+inline V3 operator/(V3 a, double s) {
+    return {a.x / s, a.y / s, a.z / s};
+}
+inline V3& operator+=(V3& a, V3 b) {
+    return a = a + b;
+}
+inline V3& operator-=(V3& a, V3 b) {
+    return a = a - b;
+}
+inline double dot(V3 a, V3 b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 inline V3 cross(V3 a, V3 b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-inline double norm(V3 a) { return std::sqrt(dot(a, a)); }
+inline double norm(V3 a) {
+    return std::sqrt(dot(a, a));
+}
 inline V3 normalized(V3 a) {
     const double n = norm(a);
     return n > 0 ? a / n : a;
 }
-inline V3 mix(V3 a, V3 b, double t) { return a + t * (b - a); }
+inline V3 mix(V3 a, V3 b, double t) {
+    return a + t * (b - a);
+}
 
-inline double clamp(double x, double low, double high) { return x < low ? low : x > high ? high : x; }
-inline double mix(double a, double b, double t) { return a + t * (b - a); }
-inline double square(double x) { return x * x; }
+inline double clamp(double x, double low, double high) {
+    return x < low ? low : x > high ? high : x;
+}
+inline double mix(double a, double b, double t) {
+    return a + t * (b - a);
+}
+inline double square(double x) {
+    return x * x;
+}
 /// 0 below `low`, 1 above `high`, with continuous slope (low > high turns it round).
 inline double ramp(double low, double high, double x) {
     const double t = clamp((x - low) / (high - low), 0, 1);
@@ -61,7 +89,9 @@ inline double exp_of(double x) {
     return sum;
 }
 /// exp(-d2) for the many bumps of the sculpture; zero where it would be below 1e-6.
-inline double bump(double d2) { return d2 > 14 ? 0 : exp_of(-d2); }
+inline double bump(double d2) {
+    return d2 > 14 ? 0 : exp_of(-d2);
+}
 
 /// Natural logarithm of x > 0: powers of two split off, atanh series.
 inline double log_of(double x) {
@@ -95,7 +125,9 @@ inline double sin_of(double x) {
     }
     return sum;
 }
-inline double cos_of(double x) { return sin_of(x + kPi / 2); }
+inline double cos_of(double x) {
+    return sin_of(x + kPi / 2);
+}
 
 /// Angle of (x, y), -pi..pi, by Newton steps on the sine; good to 1e-12.
 inline double atan2_of(double y, double x) {
@@ -119,7 +151,8 @@ inline V3 rotate(V3 x, V3 axis, double angle) {
 class Random {
   public:
     explicit Random(std::uint64_t seed, std::uint64_t stream = 0)
-        : state_(scramble(seed * 0x9E3779B97F4A7C15ull + 1) ^ scramble(stream + 0x5851F42D4C957F2Dull)) {}
+        : state_(scramble(seed * 0x9E3779B97F4A7C15ull + 1) ^
+                 scramble(stream + 0x5851F42D4C957F2Dull)) {}
 
     std::uint64_t bits() { return scramble(state_ += 0x9E3779B97F4A7C15ull); }
     /// In [0, 1).

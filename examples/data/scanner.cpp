@@ -61,9 +61,10 @@ double hair_above(V3 p) {  // height above the hair line of a template position;
     return -1;
 }
 
-// The skin, every edge split at the middle of its cubic (PN triangles: Vlachos et al. 2001), so that a
-// scan finer than the template does not show its facets.
-void add_skin(Scene& scene, const Anatomy& a, const std::vector<V3>& shape, V3 tone, Random& random) {
+// The skin, every edge split at the middle of its cubic (PN triangles: Vlachos et al. 2001), so
+// that a scan finer than the template does not show its facets.
+void add_skin(Scene& scene, const Anatomy& a, const std::vector<V3>& shape, V3 tone,
+              Random& random) {
     const Waves blotches(random, 40), pores(random, 7);
     const auto normals = normals_of(shape, a.head.triangles);
     const auto color = [&](V3 base, V3 rest) {
@@ -74,7 +75,8 @@ void add_skin(Scene& scene, const Anatomy& a, const std::vector<V3>& shape, V3 t
         const auto& c = a.head.colors[v];
         return V3{double(c[0]), double(c[1]), double(c[2])};
     };
-    for (int v = 0; v < a.count(); ++v) scene.add(shape[v], color(painted(v), a.rest[v]), a.rest[v]);
+    for (int v = 0; v < a.count(); ++v)
+        scene.add(shape[v], color(painted(v), a.rest[v]), a.rest[v]);
     std::map<std::pair<int, int>, int> middles;
     const auto middle = [&](int u, int v) {
         const auto [it, fresh] = middles.insert({std::minmax(u, v), 0});
@@ -108,7 +110,8 @@ void add_hair(Scene& scene, const Anatomy& a, const std::vector<V3>& shape, Rand
         if (above < 0) continue;
         const V3 along{rest.x, 0.3 * rest.y, rest.z};
         double height = ramp(0, 14, above) * (thickness + 2.5 * tufts(rest));
-        height += ramp(0, 4, above) * (1.5 + 1.6 * strands(along) + fine(along) + 0.6 * random.normal());
+        height +=
+            ramp(0, 4, above) * (1.5 + 1.6 * strands(along) + fine(along) + 0.6 * random.normal());
         hair[v] = scene.add(shape[v] + std::max(0.3, height) * normals[v],
                             dark + 10 * strands(along) * V3{1, 1, 1}, rest);
     }
@@ -125,9 +128,12 @@ void add_eyeballs(Scene& scene, const Anatomy& a, const std::vector<V3>& neutral
         int grid[kRows][kColumns];
         for (int j = 0; j < kRows; ++j)
             for (int i = 0; i < kColumns; ++i) {
-                const double up = 1.25 * (2.0 * j / (kRows - 1) - 1), across = 1.25 * (2.0 * i / (kColumns - 1) - 1);
+                const double up = 1.25 * (2.0 * j / (kRows - 1) - 1),
+                             across = 1.25 * (2.0 * i / (kColumns - 1) - 1);
                 const V3 n{cos_of(up) * sin_of(across), sin_of(up), cos_of(up) * cos_of(across)};
-                const V3 color = n.z > 0.985 ? V3{18, 16, 16} : n.z > 0.91 ? iris : V3{232, 224, 218};
+                const V3 color = n.z > 0.985  ? V3{18, 16, 16}
+                                 : n.z > 0.91 ? iris
+                                              : V3{232, 224, 218};
                 const V3 p = centre + (plan::kEyeballRadius - 0.3) * n;
                 grid[j][i] = scene.add(p, color, p);
             }
@@ -165,8 +171,8 @@ void add_cavity(Scene& scene, const Anatomy& a, const std::vector<V3>& shape) {
             }
     for (const auto& [edge, one] : directed) {
         const int u = edge.first, v = edge.second;
-        if (a.head.rim[u] < Rim::lip_upper || a.head.rim_row[u] != 3 || a.head.rim[v] < Rim::lip_upper ||
-            a.head.rim_row[v] != 3 || directed.count({v, u}) != 0)
+        if (a.head.rim[u] < Rim::lip_upper || a.head.rim_row[u] != 3 ||
+            a.head.rim[v] < Rim::lip_upper || a.head.rim_row[v] != 3 || directed.count({v, u}) != 0)
             continue;
         for (int k = 0; k < kRings; ++k) {
             scene.add(spoke[v][k], spoke[u][k], spoke[u][k + 1], kCavity);
@@ -180,7 +186,7 @@ struct Grid {
     int width = 0, height = 0;
     double step = 1;
     bool cylindrical = true;
-    std::vector<double> depth;   // distance from the cylinder's axis, or z; -1e9: nothing
+    std::vector<double> depth;  // distance from the cylinder's axis, or z; -1e9: nothing
     std::vector<int> triangle;
     std::vector<std::array<double, 3>> weights;
 
@@ -219,14 +225,17 @@ Grid look(const Scene& scene, const ScanOptions& options) {
     seen.reserve(scene.points.size());
     for (const V3 p : scene.points) seen.push_back(grid.to_grid(p));
     for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
-        const V3 a = seen[scene.triangles[t][0]], b = seen[scene.triangles[t][1]], c = seen[scene.triangles[t][2]];
+        const V3 a = seen[scene.triangles[t][0]], b = seen[scene.triangles[t][1]],
+                 c = seen[scene.triangles[t][2]];
         const double low = std::min({a.x, b.x, c.x}), high = std::max({a.x, b.x, c.x});
         if (grid.cylindrical && high - low > 0.5 * wide / grid.step) continue;  // across the seam
         const double area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
         if (area <= 0) continue;  // turned away
         const int x_end = static_cast<int>(std::min<double>(grid.width - 1, std::floor(high)));
-        const int y_end = static_cast<int>(std::min<double>(grid.height - 1, std::floor(std::max({a.y, b.y, c.y}))));
-        for (int y = static_cast<int>(std::max(0.0, std::ceil(std::min({a.y, b.y, c.y})))); y <= y_end; ++y)
+        const int y_end = static_cast<int>(
+            std::min<double>(grid.height - 1, std::floor(std::max({a.y, b.y, c.y}))));
+        for (int y = static_cast<int>(std::max(0.0, std::ceil(std::min({a.y, b.y, c.y}))));
+             y <= y_end; ++y)
             for (int x = static_cast<int>(std::max(0.0, std::ceil(low))); x <= x_end; ++x) {
                 const double wa = ((b.x - x) * (c.y - y) - (b.y - y) * (c.x - x)) / area;
                 const double wb = ((c.x - x) * (a.y - y) - (c.y - y) * (a.x - x)) / area;
@@ -287,7 +296,8 @@ std::vector<std::array<int, 3>> triangulate(const Grid& grid, const std::vector<
             const int a = y * grid.width + x, b = a + 1, c = b + grid.width, d = a + grid.width;
             const bool first = !seen[b] || !seen[d] ||
                                (seen[a] && seen[c] &&
-                                std::fabs(grid.depth[a] - grid.depth[c]) <= std::fabs(grid.depth[b] - grid.depth[d]));
+                                std::fabs(grid.depth[a] - grid.depth[c]) <=
+                                    std::fabs(grid.depth[b] - grid.depth[d]));
             if (first) {
                 add(a, b, c);
                 add(a, c, d);
@@ -308,21 +318,24 @@ std::vector<std::array<int, 3>> triangulate(const Grid& grid, const std::vector<
     }
     std::vector<int> size(seen.size(), 0);
     for (const auto& t : out) ++size[find(t[0])];
-    out.erase(std::remove_if(out.begin(), out.end(), [&](const auto& t) { return size[find(t[0])] < 40; }),
+    out.erase(std::remove_if(out.begin(), out.end(),
+                             [&](const auto& t) { return size[find(t[0])] < 40; }),
               out.end());
     return out;
 }
 
 }  // namespace
 
-SimulatedScan simulate_scan(const Anatomy& a, const std::vector<V3>& neutral, const std::vector<V3>& shape,
-                            const Person& person, const ScanOptions& options) {
+SimulatedScan simulate_scan(const Anatomy& a, const std::vector<V3>& neutral,
+                            const std::vector<V3>& shape, const Person& person,
+                            const ScanOptions& options) {
     // Looks belong to the person; pose and errors to the scan.
     Random looks(person.seed, 1000003u * static_cast<std::uint64_t>(person.subject) + 500);
     Random random(person.seed ^ (0x1234567ull * (options.seed + 1)),
                   1000003u * static_cast<std::uint64_t>(person.subject) + 501);
     Scene scene;
-    static const V3 kTones[] = {{1, 1, 1}, {0.92, 0.88, 0.85}, {0.74, 0.68, 0.62}, {0.52, 0.45, 0.40}};
+    static const V3 kTones[] = {
+        {1, 1, 1}, {0.92, 0.88, 0.85}, {0.74, 0.68, 0.62}, {0.52, 0.45, 0.40}};
     add_skin(scene, a, shape, kTones[looks.bits() % 4], looks);
     add_eyeballs(scene, a, neutral, looks);
     add_cavity(scene, a, shape);
@@ -346,7 +359,10 @@ SimulatedScan simulate_scan(const Anatomy& a, const std::vector<V3>& neutral, co
         index[c] = static_cast<int>(count++);
         const Kind kind = scene.kinds[grid.triangle[cell]];
         // Wet and dark surfaces and hair scan badly.
-        double error = options.noise_mm * random.normal() * (kind == kSkin ? 1 : kind == kHair ? 2 : 3);
+        double error = options.noise_mm * random.normal() *
+                       (kind == kSkin   ? 1
+                        : kind == kHair ? 2
+                                        : 3);
         if (random.uniform() < options.spike_share)
             error += (random.bits() & 1 ? 1 : -1) * random.uniform(3, 25);
         const V3 p = to_scan(grid.point(cell) + error * grid.ray(cell));
@@ -354,7 +370,8 @@ SimulatedScan simulate_scan(const Anatomy& a, const std::vector<V3>& neutral, co
         const V3 color = blend(scene.colors, scene, grid, cell);
         const double flicker = 2.5 * random.normal();
         for (int k = 0; k < 3; ++k)
-            scan.mesh.colors.push_back(static_cast<std::uint8_t>(clamp(color[k] + flicker, 0, 255)));
+            scan.mesh.colors.push_back(
+                static_cast<std::uint8_t>(clamp(color[k] + flicker, 0, 255)));
     }
     for (const auto& t : triangles)
         for (int cell : t) scan.mesh.triangles.push_back(static_cast<std::uint32_t>(index[cell]));
@@ -365,7 +382,8 @@ SimulatedScan simulate_scan(const Anatomy& a, const std::vector<V3>& neutral, co
         scan.truth.insert(scan.truth.end(), {p.x, p.y, p.z});
         scan.truth_neutral.insert(scan.truth_neutral.end(), {q.x, q.y, q.z});
         const V3 g = grid.to_grid(shape[v]);
-        const int x = static_cast<int>(std::floor(g.x + 0.5)), y = static_cast<int>(std::floor(g.y + 0.5));
+        const int x = static_cast<int>(std::floor(g.x + 0.5)),
+                  y = static_cast<int>(std::floor(g.y + 0.5));
         bool visible = false;
         if (x >= 0 && y >= 0 && x < grid.width && y < grid.height) {
             const int cell = y * grid.width + x;

@@ -10,7 +10,9 @@ double melt(double a, double b, double k) {
     const double h = std::max(k - std::fabs(a - b), 0.0) / k;
     return std::min(a, b) - h * h * h * k / 6;
 }
-double carve(double a, double tool, double k) { return -melt(-a, tool, k); }
+double carve(double a, double tool, double k) {
+    return -melt(-a, tool, k);
+}
 
 // Distance to an ellipsoid, first order: exact on the surface and its normal.
 double ellipsoid(V3 p, V3 centre, V3 radii) {
@@ -34,15 +36,15 @@ double soft(V3 p, V3 c, V3 s) {
 }
 
 double skull_and_jaw(V3 p) {
-    const V3 q{std::sqrt(p.x * p.x + 16), p.y, p.z};   // rounded |x|: no crease in the middle
-    double d = ellipsoid(p, {0, 53, -8}, {73, 85, 92});                 // brain case
-    d = melt(d, ellipsoid(p, {0, 72, -4}, {70, 66, 86}), 14);           // crown
-    d = melt(d, ellipsoid(p, {0, 66, 30}, {63, 62, 64}), 20);           // forehead
-    d = melt(d, ellipsoid(p, {0, 0, 30}, {64, 68, 61}), 26);            // middle of the face
-    d = melt(d, ellipsoid(p, {0, -44, 44}, {47, 44, 47}), 22);          // jaws
+    const V3 q{std::sqrt(p.x * p.x + 16), p.y, p.z};     // rounded |x|: no crease in the middle
+    double d = ellipsoid(p, {0, 53, -8}, {73, 85, 92});  // brain case
+    d = melt(d, ellipsoid(p, {0, 72, -4}, {70, 66, 86}), 14);          // crown
+    d = melt(d, ellipsoid(p, {0, 66, 30}, {63, 62, 64}), 20);          // forehead
+    d = melt(d, ellipsoid(p, {0, 0, 30}, {64, 68, 61}), 26);           // middle of the face
+    d = melt(d, ellipsoid(p, {0, -44, 44}, {47, 44, 47}), 22);         // jaws
     d = melt(d, capsule(q, {47, -42, 12}, {9, -77, 76}, 10, 10), 26);  // edge of the jaw
-    d = melt(d, capsule(q, {56, 2, 2}, {48, -40, 12}, 12, 11), 24);     // its rising branch
-    d = melt(d, ellipsoid(p, {0, -75, 77}, {13, 13, 17}), 18);        // chin
+    d = melt(d, capsule(q, {56, 2, 2}, {48, -40, 12}, 12, 11), 24);    // its rising branch
+    d = melt(d, ellipsoid(p, {0, -75, 77}, {13, 13, 17}), 18);         // chin
     return d;
 }
 
@@ -50,7 +52,7 @@ double neck(V3 p) {
     // Leans forward on its way up, wider at the foot.
     const double lean = -18 - 0.12 * (p.y + 60);
     const double flare = 9 * square(clamp((-95 - p.y) / 55, 0, 1.4));
-    const double top = 22 * square(clamp((p.y + 40) / 60, 0, 1.5));     // closes under the skull
+    const double top = 22 * square(clamp((p.y + 40) / 60, 0, 1.5));  // closes under the skull
     const double d =
         ellipsoid({p.x, 0, p.z}, {0, 0, lean}, {49 + flare - top, 60, 51 + 0.6 * flare - top});
     return std::max(d, p.y - 20);
@@ -58,11 +60,11 @@ double neck(V3 p) {
 
 double nose(V3 p) {
     double d = capsule(p, {0, 32, 86}, {0, 2, 102}, 7.0, 7.4);
-    d = melt(d, ellipsoid(p, {0, -1, 88}, {14.5, 25, 17}), 7);                      // side walls
+    d = melt(d, ellipsoid(p, {0, -1, 88}, {14.5, 25, 17}), 7);  // side walls
     d = melt(d, capsule(p, {0, 4, 102}, {0, -9, 108.5}, 7.4, 9.4), 9);
     for (double side : {-1.0, 1.0})
-        d = melt(d, ellipsoid(p, {side * 10.6, -13.2, 99}, {6.2, 6.6, 9.2}), 9);   // wings
-    d = melt(d, capsule(p, {0, -14, 108}, {0, -19, 98}, 4.4, 6.0), 7);             // septum
+        d = melt(d, ellipsoid(p, {side * 10.6, -13.2, 99}, {6.2, 6.6, 9.2}), 9);  // wings
+    d = melt(d, capsule(p, {0, -14, 108}, {0, -19, 98}, 4.4, 6.0), 7);            // septum
     return d;
 }
 
@@ -74,7 +76,8 @@ double muzzle(V3 p) {
 double lip_half_height(double t, bool upper) {
     const double taper = std::sqrt(std::max(1 - t * t, 0.0) + 0.004);
     if (!upper) return 5.8 * taper;
-    return 5.0 * taper * (1 + 0.10 * bump(square((t - 0.24) / 0.16)) - 0.10 * bump(square(t / 0.12)));
+    return 5.0 * taper *
+           (1 + 0.10 * bump(square((t - 0.24) / 0.16)) - 0.10 * bump(square(t / 0.12)));
 }
 
 // One lip as a tube along the arch of the teeth; it thins out towards the corner.
@@ -94,9 +97,9 @@ double lip(V3 p, bool upper) {
 double ear(V3 p) {
     // In the ear's own frame: u across the plate, v up along it, w backwards.
     const V3 q = V3{std::fabs(p.x), p.y, p.z} - V3{74, 1, -10};
-    const double ct = 0.90, st = 0.436;                // stands off by 26 degrees
+    const double ct = 0.90, st = 0.436;  // stands off by 26 degrees
     const double u0 = ct * q.x + st * q.z, w0 = st * q.x - ct * q.z;
-    const double cb = 0.978, sb = 0.208;               // leans back by 12 degrees
+    const double cb = 0.978, sb = 0.208;  // leans back by 12 degrees
     const double v = cb * q.y + sb * -w0, w = sb * q.y + cb * w0;
     const double wide = v > 0 ? 16.5 : 16.5 + 0.15 * v;
     const double r = std::sqrt(square(v / 29.5) + square(w / wide));
@@ -120,21 +123,21 @@ double relief(V3 p) {
     const double ax = std::sqrt(p.x * p.x + 4.0);
     const V3 q{ax, p.y, p.z};
     double h = 0;
-    h += 3.0 * soft(q, {24, 43, 90}, {17, 6.5, 20});   // brow ridge
+    h += 3.0 * soft(q, {24, 43, 90}, {17, 6.5, 20});  // brow ridge
     h += 1.5 * soft(q, {42, 40, 80}, {9, 8, 20});
-    h -= 1.2 * soft(p, {0, 36, 96}, {9, 6, 20});       // root of the nose
-    h += 3.0 * soft(q, {47, 2, 68}, {16, 13, 22});     // cheekbone
-    h -= 2.0 * soft(q, {52, -28, 55}, {15, 18, 30});   // hollow below it
-    h -= 3.4 * soft(q, {66, 44, 40}, {18, 22, 22});    // temple
-    h -= 2.0 * soft(q, {22, -12, 86}, {7, 10, 20});    // beside the wing
-    h += 1.8 * soft(q, {31, -14, 80}, {11, 13, 25});   // front of the cheek
-    h -= 1.1 * soft(q, {29, -31, 84}, {5, 11, 25});  // fold beside the mouth
-    h -= 1.0 * soft(p, {0, -30, 102}, {3.2, 6, 20});   // groove under the nose
+    h -= 1.2 * soft(p, {0, 36, 96}, {9, 6, 20});      // root of the nose
+    h += 3.0 * soft(q, {47, 2, 68}, {16, 13, 22});    // cheekbone
+    h -= 2.0 * soft(q, {52, -28, 55}, {15, 18, 30});  // hollow below it
+    h -= 3.4 * soft(q, {66, 44, 40}, {18, 22, 22});   // temple
+    h -= 2.0 * soft(q, {22, -12, 86}, {7, 10, 20});   // beside the wing
+    h += 1.8 * soft(q, {31, -14, 80}, {11, 13, 25});  // front of the cheek
+    h -= 1.1 * soft(q, {29, -31, 84}, {5, 11, 25});   // fold beside the mouth
+    h -= 1.0 * soft(p, {0, -30, 102}, {3.2, 6, 20});  // groove under the nose
     h += 0.7 * soft(q, {5.8, -31, 102}, {2.6, 6, 20});
-    h -= 3.6 * soft(p, {0, -59, 95}, {15, 5.5, 20});   // groove above the chin
-    h -= 1.5 * soft(q, {29, -45, 82}, {6, 6, 20});     // corner of the mouth
-    h -= 2.0 * soft(q, {34, -66, 66}, {12, 9, 20});    // beside the chin
-    h += 4.0 * soft(p, {0, -112, 36}, {9, 13, 20});    // larynx
+    h -= 3.6 * soft(p, {0, -59, 95}, {15, 5.5, 20});  // groove above the chin
+    h -= 1.5 * soft(q, {29, -45, 82}, {6, 6, 20});    // corner of the mouth
+    h -= 2.0 * soft(q, {34, -66, 66}, {12, 9, 20});   // beside the chin
+    h += 4.0 * soft(p, {0, -112, 36}, {9, 13, 20});   // larynx
     return h;
 }
 
@@ -161,10 +164,12 @@ double mouth_line(double x) {
 }
 
 double lip_top(double x) {
-    return mouth_line(x) + 1.62 * lip_half_height(clamp(std::fabs(x) / kMouthHalfWidth, 0, 1), true);
+    return mouth_line(x) +
+           1.62 * lip_half_height(clamp(std::fabs(x) / kMouthHalfWidth, 0, 1), true);
 }
 double lip_bottom(double x) {
-    return mouth_line(x) - 1.58 * lip_half_height(clamp(std::fabs(x) / kMouthHalfWidth, 0, 1), false);
+    return mouth_line(x) -
+           1.58 * lip_half_height(clamp(std::fabs(x) / kMouthHalfWidth, 0, 1), false);
 }
 
 }  // namespace plan
@@ -182,7 +187,7 @@ double sculpture(V3 p) {
         const double lips = melt(lip(p, true), lip(p, false), 0.9);
         d = melt(d, lips, 4.5);
     }
-    if (p.y < 15 && p.z > 80 && q.x < 14)                                  // nostrils
+    if (p.y < 15 && p.z > 80 && q.x < 14)  // nostrils
         d = carve(d, ellipsoid(q, {6.0, -19.0, 104.0}, {3.3, 4.2, 4.8}), 2.5);
     double below = neck(p);
     below = melt(below, neck_cord(p), 14);

@@ -12,7 +12,8 @@ void SurfaceMesher::march(V3 low, V3 high, double step) {
     const int nz = static_cast<int>((high.z - low.z) / step) + 1;
     const auto node = [&](int i, int j, int k) { return (k * ny + j) * nx + i; };
     const auto place = [&](int n) {
-        return V3{low.x + step * (n % nx), low.y + step * (n / nx % ny), low.z + step * (n / nx / ny)};
+        return V3{low.x + step * (n % nx), low.y + step * (n / nx % ny),
+                  low.z + step * (n / nx / ny)};
     };
     std::vector<double> value(static_cast<std::size_t>(nx) * ny * nz);
     // The field is nearly a distance with slope at most 2: where a coarse sample is far from zero,
@@ -44,8 +45,10 @@ void SurfaceMesher::march(V3 low, V3 high, double step) {
                     int n[4], inside[4], outside[4], ni = 0, no = 0;
                     for (int c = 0; c < 4; ++c) {
                         n[c] = node(i + (tet[c] & 1), j + (tet[c] >> 1 & 1), k + (tet[c] >> 2));
-                        if (value[n[c]] < 0) inside[ni++] = n[c];
-                        else outside[no++] = n[c];
+                        if (value[n[c]] < 0)
+                            inside[ni++] = n[c];
+                        else
+                            outside[no++] = n[c];
                     }
                     const auto add = [&](int a, int b, int c, V3 outward) {
                         const V3 normal = cross(points[b] - points[a], points[c] - points[a]);
@@ -61,8 +64,10 @@ void SurfaceMesher::march(V3 low, V3 high, double step) {
                         add(crossing(inside[0], outside[0]), crossing(inside[1], outside[0]),
                             crossing(inside[2], outside[0]), outward);
                     else {
-                        const int a = crossing(inside[0], outside[0]), b = crossing(inside[0], outside[1]);
-                        const int c = crossing(inside[1], outside[1]), d = crossing(inside[1], outside[0]);
+                        const int a = crossing(inside[0], outside[0]),
+                                  b = crossing(inside[0], outside[1]);
+                        const int c = crossing(inside[1], outside[1]),
+                                  d = crossing(inside[1], outside[0]);
                         add(a, b, c, outward);
                         add(a, c, d, outward);
                     }
@@ -116,13 +121,15 @@ std::vector<int> SurfaceMesher::neighbours(int vertex) const {
     std::vector<int> ring;
     for (int t : fan_[vertex])
         for (int v : triangles[t])
-            if (v != vertex && std::find(ring.begin(), ring.end(), v) == ring.end()) ring.push_back(v);
+            if (v != vertex && std::find(ring.begin(), ring.end(), v) == ring.end())
+                ring.push_back(v);
     return ring;
 }
 
 void SurfaceMesher::flag_border(unsigned flag, const std::function<bool(V3)>& on_curve) {
     for (std::size_t v = 0; v < points.size(); ++v)
-        if (!fan_[v].empty() && on_border(static_cast<int>(v)) && on_curve(points[v])) flags[v] |= flag;
+        if (!fan_[v].empty() && on_border(static_cast<int>(v)) && on_curve(points[v]))
+            flags[v] |= flag;
 }
 
 int SurfaceMesher::split(int a, int b, V3 at) {
@@ -217,7 +224,8 @@ void SurfaceMesher::collapse_caps() {
     // A vertex that almost lies on a border edge cannot be helped by flips: the edge takes it in.
     for (std::size_t f = 0; f < triangles.size(); ++f)
         for (int k = 0; k < 3 && triangles[f][0] >= 0; ++k) {
-            const int a = triangles[f][k], b = triangles[f][(k + 1) % 3], w = triangles[f][(k + 2) % 3];
+            const int a = triangles[f][k], b = triangles[f][(k + 1) % 3],
+                      w = triangles[f][(k + 2) % 3];
             int t[2];
             if (flags[w] != 0 || edge_triangles(a, b, t) != 1) continue;
             const V3 edge = points[b] - points[a];
@@ -275,8 +283,8 @@ void SurfaceMesher::flip(bool delaunay) {
 }
 
 void SurfaceMesher::relax() {
-    // Weighting triangles by area evens out their sizes; the constant keeps a vertex off an edge that
-    // it lies close to, where the area would let it rest.
+    // Weighting triangles by area evens out their sizes; the constant keeps a vertex off an edge
+    // that it lies close to, where the area would let it rest.
     constexpr double kEven = 0.5;
     const auto old = points;
     for (std::size_t v = 0; v < points.size(); ++v) {
@@ -330,7 +338,8 @@ void SurfaceMesher::remesh(int rounds, bool delaunay) {
 V3 SurfaceMesher::project(V3 p, unsigned own, int steps) const {
     if (own & kPinned) return p;
     for (int step = 0; step < steps; ++step) {
-        // Least-norm Newton step: orthogonalise the gradients, then satisfy one field after another.
+        // Least-norm Newton step: orthogonalise the gradients, then satisfy one field after
+        // another.
         V3 basis[4], move;
         double largest = 0;
         int count = 0;
@@ -362,7 +371,9 @@ void SurfaceMesher::project_all() {
     for (std::size_t v = 0; v < points.size(); ++v) points[v] = project(points[v], flags[v]);
 }
 
-int SurfaceMesher::nearest(V3 p) const { return nearest(p, ~0u); }
+int SurfaceMesher::nearest(V3 p) const {
+    return nearest(p, ~0u);
+}
 
 int SurfaceMesher::nearest(V3 p, unsigned flag) const {
     int best = -1;
@@ -396,7 +407,8 @@ void SurfaceMesher::insert_curve(unsigned flag, const std::function<double(V3)>&
             const int v = e[k], other = e[1 - k];
             if ((k == 0 ? t : 1 - t) > 0.25 || (flags[v] & kPinned)) continue;
             if (flags[v] != 0 && flags[other] != flags[v]) continue;
-            points[v] = project(mix(points[v], points[other], k == 0 ? t : 1 - t), flags[v] | flag, 4);
+            points[v] =
+                project(mix(points[v], points[other], k == 0 ? t : 1 - t), flags[v] | flag, 4);
             value[v] = 0;
             break;
         }
@@ -432,7 +444,8 @@ void SurfaceMesher::remove_inside(unsigned flag, const std::function<bool(V3)>& 
     compact();
 }
 
-void SurfaceMesher::cut(unsigned flag, unsigned below, const std::function<double(V3)>& field, int tip) {
+void SurfaceMesher::cut(unsigned flag, unsigned below, const std::function<double(V3)>& field,
+                        int tip) {
     std::vector<int> copy(points.size(), -1);
     const std::size_t count = points.size();
     for (std::size_t v = 0; v < count; ++v) {
@@ -445,7 +458,8 @@ void SurfaceMesher::cut(unsigned flag, unsigned below, const std::function<doubl
         if (t[0] < 0) continue;
         double side = 0;
         for (int v : t)
-            if (static_cast<std::size_t>(v) < count && copy[v] < 0 && v != tip) side += field(points[v]);
+            if (static_cast<std::size_t>(v) < count && copy[v] < 0 && v != tip)
+                side += field(points[v]);
         if (side < 0)
             for (int& v : t) v = copy[v] >= 0 ? copy[v] : v;
     }

@@ -1,5 +1,5 @@
-// An adaptive triangle mesh of an implicit surface: marching tetrahedra give a start, then edges are
-// split, collapsed, flipped and relaxed until they have the length that a size field asks for
+// An adaptive triangle mesh of an implicit surface: marching tetrahedra give a start, then edges
+// are split, collapsed, flipped and relaxed until they have the length that a size field asks for
 // (Botsch and Kobbelt, "A remeshing approach to multiresolution modeling", SGP 2004), each vertex
 // being drawn back to the surface and to the curves it belongs to by Newton steps of least length.
 #pragma once
@@ -24,7 +24,8 @@ class SurfaceMesher {
     static constexpr unsigned kPinned = 1u << 31;  ///< never moved or removed
 
     /// `surface` always holds; curve k holds for vertices whose flags contain bit k.
-    SurfaceMesher(Constraint surface, std::vector<Constraint> curves, std::function<double(V3)> size_mm)
+    SurfaceMesher(Constraint surface, std::vector<Constraint> curves,
+                  std::function<double(V3)> size_mm)
         : surface_(std::move(surface)), curves_(std::move(curves)), size_(std::move(size_mm)) {}
 
     /// Cells of `step` mm over the box low..high; what leaves the box is cut off there.
@@ -33,8 +34,8 @@ class SurfaceMesher {
     void flag_border(unsigned flag, const std::function<bool(V3)>& on_curve);
     void remesh(int rounds, bool delaunay);
 
-    /// Splits every edge on which `field` changes sign inside `where`, snapping vertices close to the
-    /// zero set onto it; vertices on the zero set get `flag` (a bit of a curve).
+    /// Splits every edge on which `field` changes sign inside `where`, snapping vertices close to
+    /// the zero set onto it; vertices on the zero set get `flag` (a bit of a curve).
     void insert_curve(unsigned flag, const std::function<double(V3)>& field,
                       const std::function<bool(V3)>& where);
     /// Removes triangles whose corners all satisfy `inside` (corners with `flag` count as inside).

@@ -48,8 +48,14 @@ SurfaceMesher half_head() {
                           }};
     };
     const std::vector<Constraint> curves{
-        {[](V3 p) { return p.x; }, [](V3) { return V3{1, 0, 0}; }},
-        {[](V3 p) { return p.y - plan::kNeckRim; }, [](V3) { return V3{0, 1, 0}; }},
+        {[](V3 p) { return p.x; },
+         [](V3) {
+             return V3{1, 0, 0};
+         }},
+        {[](V3 p) { return p.y - plan::kNeckRim; },
+         [](V3) {
+             return V3{0, 1, 0};
+         }},
         numeric([](V3 p) { return plan::eye_outline(p.x, p.y); }),
         numeric([](V3 p) { return p.y - plan::mouth_line(p.x) - slit(p.x); }),
         numeric([](V3 p) { return p.y - plan::mouth_line(p.x) + slit(p.x); })};
@@ -84,8 +90,9 @@ SurfaceMesher half_head() {
     mesher.remesh(2, false);  // the triangles around the corner recover from its move
     const int corner = mesher.nearest(tip);
     const auto line = [](V3 p) { return p.y - plan::mouth_line(p.x); };
-    mesher.insert_curve(kLipUpper, line,
-                        [&](V3 p) { return p.z > 75 && p.x < half_width && p.y > -60 && p.y < -30; });
+    mesher.insert_curve(kLipUpper, line, [&](V3 p) {
+        return p.z > 75 && p.x < half_width && p.y > -60 && p.y < -30;
+    });
     mesher.cut(kLipUpper, kLipLower, line, corner);
     mesher.remesh(14, true);
     mesher.project_all();
@@ -174,9 +181,12 @@ TemplateHead make_template_head() {
     for (int v = 0; v < half_count; ++v) {
         const unsigned own = half.flags[v];
         Rim rim = Rim::none;
-        if ((own & kLipUpper) && (own & kLipLower)) rim = Rim::lip_corner;
-        else if (own & kLipUpper) rim = Rim::lip_upper;
-        else if (own & kLipLower) rim = Rim::lip_lower;
+        if ((own & kLipUpper) && (own & kLipLower))
+            rim = Rim::lip_corner;
+        else if (own & kLipUpper)
+            rim = Rim::lip_upper;
+        else if (own & kLipLower)
+            rim = Rim::lip_lower;
         else if (own & kEye) {
             const V3 edge = half.points[root[row[v] == 2 ? root[v] : v]];
             const double t = (edge.x - plan::kEyeInner) / (plan::kEyeOuter - plan::kEyeInner);

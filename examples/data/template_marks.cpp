@@ -59,13 +59,14 @@ double jaw_z(double y) {
     static constexpr double kY[] = {-91, -88, -79, -68, -52, -33, -14, 24, 60, 100};
     static constexpr double kZ[] = {92, 84, 68, 55, 42, 32, 26, 20, 20, 30};
     for (int k = 0; k + 1 < 10; ++k)
-        if (y <= kY[k + 1]) return mix(kZ[k], kZ[k + 1], clamp((y - kY[k]) / (kY[k + 1] - kY[k]), 0, 1));
+        if (y <= kY[k + 1])
+            return mix(kZ[k], kZ[k + 1], clamp((y - kY[k]) / (kY[k + 1] - kY[k]), 0, 1));
     return 30;
 }
 
 double distance_to_segment(double x, double y, double ax, double ay, double bx, double by) {
-    const double t = clamp(((x - ax) * (bx - ax) + (y - ay) * (by - ay)) /
-                               (square(bx - ax) + square(by - ay)), 0, 1);
+    const double t = clamp(
+        ((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / (square(bx - ax) + square(by - ay)), 0, 1);
     return std::sqrt(square(x - mix(ax, bx, t)) + square(y - mix(ay, by, t)));
 }
 
@@ -92,7 +93,7 @@ std::string zone_of(V3 p) {
 void mark_landmarks(TemplateHead& head) {
     Marker m{head};
     // left half of the jaw, from the chin up; the right half mirrors it
-    const V3 jaw[9] = {{0, -88, 88},   {14, -86, 80}, {28, -79, 68}, {42, -68, 55}, {55, -52, 42},
+    const V3 jaw[9] = {{0, -88, 88},  {14, -86, 80}, {28, -79, 68}, {42, -68, 55}, {55, -52, 42},
                        {64, -33, 32}, {68, -14, 26}, {70, 5, 22},   {71, 24, 20}};
     for (int k = 0; k < 17; ++k) {
         V3 p = jaw[k < 8 ? 8 - k : k - 8];
@@ -141,8 +142,9 @@ void mark_landmarks(TemplateHead& head) {
         }
         return best;
     };
-    const int eye[6] = {corner(plan::kEyeInner, 23), m.rim(Rim::lid_upper, 26), m.rim(Rim::lid_upper, 37),
-                        corner(plan::kEyeOuter, 26), m.rim(Rim::lid_lower, 37), m.rim(Rim::lid_lower, 26)};
+    const int eye[6] = {corner(plan::kEyeInner, 23), m.rim(Rim::lid_upper, 26),
+                        m.rim(Rim::lid_upper, 37),   corner(plan::kEyeOuter, 26),
+                        m.rim(Rim::lid_lower, 37),   m.rim(Rim::lid_lower, 26)};
     const int right_order[6] = {3, 2, 1, 0, 5, 4};
     for (int k = 0; k < 6; ++k) m.add(numbered("eye_right_", k), head.mirror[eye[right_order[k]]]);
     for (int k = 0; k < 6; ++k) m.add(numbered("eye_left_", k), eye[k]);
@@ -152,31 +154,49 @@ void mark_landmarks(TemplateHead& head) {
     const int tip = m.rim(Rim::lip_corner, plan::kMouthHalfWidth);
     const int upper[3] = {middle(plan::lip_top(0)), lip(6.0), lip(15.5)};
     const int lower[3] = {middle(plan::lip_bottom(0)), below(8.5), below(16.5)};
-    const int outer[12] = {head.mirror[tip],      head.mirror[upper[2]], head.mirror[upper[1]], upper[0],
-                           upper[1],              upper[2],              tip,                   lower[2],
-                           lower[1],              lower[0],              head.mirror[lower[1]],
+    const int outer[12] = {head.mirror[tip],
+                           head.mirror[upper[2]],
+                           head.mirror[upper[1]],
+                           upper[0],
+                           upper[1],
+                           upper[2],
+                           tip,
+                           lower[2],
+                           lower[1],
+                           lower[0],
+                           head.mirror[lower[1]],
                            head.mirror[lower[2]]};
     for (int k = 0; k < 12; ++k) m.add(numbered("mouth_outer_", k, 2), outer[k]);
     const int in_corner = m.rim(Rim::lip_upper, 22), in_up = m.rim(Rim::lip_upper, 10);
     const int in_low = m.rim(Rim::lip_lower, 10);
-    const int inner[8] = {head.mirror[in_corner], head.mirror[in_up], m.rim(Rim::lip_upper, 0), in_up,
-                          in_corner,              in_low,             m.rim(Rim::lip_lower, 0),
+    const int inner[8] = {head.mirror[in_corner],
+                          head.mirror[in_up],
+                          m.rim(Rim::lip_upper, 0),
+                          in_up,
+                          in_corner,
+                          in_low,
+                          m.rim(Rim::lip_lower, 0),
                           head.mirror[in_low]};
     for (int k = 0; k < 8; ++k) m.add(numbered("mouth_inner_", k), inner[k]);
 }
 
 void mark_zones(TemplateHead& head) {
     std::vector<std::pair<std::string, std::vector<int>>> zones;
-    for (const char* name : {"face", "forehead", "nose", "mouth", "chin", "cheek_left", "cheek_right",
-                             "nasolabial_left", "nasolabial_right", "eye_left", "eye_right"})
+    for (const char* name :
+         {"face", "forehead", "nose", "mouth", "chin", "cheek_left", "cheek_right",
+          "nasolabial_left", "nasolabial_right", "eye_left", "eye_right"})
         zones.push_back({name, {}});
     for (std::size_t v = 0; v < head.points.size(); ++v) {
         const V3 p = head.points[v];
         std::string name;
-        if (head.rim[v] >= Rim::lip_upper) name = "mouth";
-        else if (head.rim[v] != Rim::none) name = "eye";
-        else if (in_face(p)) name = zone_of(p);
-        else continue;
+        if (head.rim[v] >= Rim::lip_upper)
+            name = "mouth";
+        else if (head.rim[v] != Rim::none)
+            name = "eye";
+        else if (in_face(p))
+            name = zone_of(p);
+        else
+            continue;
         zones[0].second.push_back(static_cast<int>(v));
         if (name == "eye" || name == "cheek" || name == "nasolabial")
             name += p.x >= 0 ? "_left" : "_right";
@@ -194,16 +214,20 @@ void mark_colors(TemplateHead& head) {
         const double x = std::fabs(p.x);
         V3 c = skin;
         const auto paint = [&](V3 color, double amount) { c = mix(c, color, clamp(amount, 0, 1)); };
-        paint(flush, 0.55 * bump(square((x - 42) / 18) + square((p.y + 6) / 16)) * ramp(30, 55, p.z));
+        paint(flush,
+              0.55 * bump(square((x - 42) / 18) + square((p.y + 6) / 16)) * ramp(30, 55, p.z));
         paint(flush, 0.5 * bump(square(x / 13) + square((p.y + 10) / 10)) * ramp(80, 95, p.z));
         paint(flush, 0.4 * ramp(60, 74, x) * ramp(-40, -20, p.y) * ramp(40, 25, p.y));
         if (p.z > 75 && x < plan::kMouthHalfWidth) {
             const double edge = std::min(plan::lip_top(p.x) - p.y, p.y - plan::lip_bottom(p.x));
             paint(lip, ramp(-1.2, 0.8, edge));
-            if (edge > -0.2 || head.rim[v] >= Rim::lip_upper) head.lips.push_back(static_cast<int>(v));
+            if (edge > -0.2 || head.rim[v] >= Rim::lip_upper)
+                head.lips.push_back(static_cast<int>(v));
         }
-        if (head.rim[v] >= Rim::lip_upper) c = mix(lip, V3{120, 50, 48}, 0.3 * head.rim_row[v]);
-        else if (head.rim[v] != Rim::none) paint(V3{196, 132, 120}, 0.6);
+        if (head.rim[v] >= Rim::lip_upper)
+            c = mix(lip, V3{120, 50, 48}, 0.3 * head.rim_row[v]);
+        else if (head.rim[v] != Rim::none)
+            paint(V3{196, 132, 120}, 0.6);
         double brow = 1e9;
         const double bx[5] = {11, 21, 31, 41, 51}, by[5] = {38, 41.5, 43.5, 42.5, 37.5};
         for (int k = 0; k < 4; ++k)

@@ -1,5 +1,5 @@
-/* Mien: expressions of a person from the neutral face: carried over from somebody else, or predicted. All faces of
- * one call share a topology. */
+/* Mien: expressions of a person from the neutral face: carried over from somebody else, or
+ * predicted. All faces of one call share a topology. */
 #ifndef MIEN_BLENDSHAPES_H
 #define MIEN_BLENDSHAPES_H
 
@@ -21,8 +21,8 @@ typedef struct mien_blendshape_model mien_blendshape_model;
  * @param target_neutral    [in] not null; #V vertices, mm; its triangles hold for all.
  * @param out               [out] not null; the target with the expression, or null on failure.
  * @param error             [out] may be null.
- * @errors MIEN_E_INVALID_HANDLE, MIEN_E_MISMATCH (vertex counts), MIEN_E_INVALID_MESH (no triangles), MIEN_E_NO_SOLUTION,
- *         MIEN_E_NO_MEMORY
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_MISMATCH (vertex counts), MIEN_E_INVALID_MESH (no
+ * triangles), MIEN_E_NO_SOLUTION, MIEN_E_NO_MEMORY
  * @owner  the caller releases *out with mien_mesh_release()
  * @thread externally synchronized by session
  * @cancel no
@@ -30,11 +30,11 @@ typedef struct mien_blendshape_model mien_blendshape_model;
  * @since  0.1
  * @source Sumner & Popovic 2004; kosk-2024 5.2.3
  */
-MIEN_API mien_status MIEN_CALL mien_transfer_expression(mien_session *session,
-                                                        const mien_mesh *source_neutral,
-                                                        const mien_mesh *source_expression,
-                                                        const mien_mesh *target_neutral, mien_mesh **out,
-                                                        mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_transfer_expression(mien_session* session,
+                                                        const mien_mesh* source_neutral,
+                                                        const mien_mesh* source_expression,
+                                                        const mien_mesh* target_neutral,
+                                                        mien_mesh** out, mien_error* error);
 
 /** Initialise with mien_blendshape_options_init(). */
 typedef struct mien_blendshape_options {
@@ -42,12 +42,13 @@ typedef struct mien_blendshape_options {
     uint32_t reserved; /**< zero */
     double ridge;      /**< of the kernel's mean diagonal; default 0: by leave-one-out error */
     mien_progress_fn progress; /**< may be null */
-    void *progress_user;
-    mien_cancel *cancel; /**< may be null */
+    void* progress_user;
+    mien_cancel* cancel; /**< may be null */
 } mien_blendshape_options;
 
 /**
- * Writes the defaults into the first struct_size bytes of *options and zeroes what it does not know.
+ * Writes the defaults into the first struct_size bytes of *options and zeroes what it does not
+ * know.
  *
  * @param options     [out] not null.
  * @param struct_size [in] sizeof(mien_blendshape_options) of the caller.
@@ -58,10 +59,12 @@ typedef struct mien_blendshape_options {
  * @cost   O(1)
  * @since  0.1
  */
-MIEN_API void MIEN_CALL mien_blendshape_options_init(mien_blendshape_options *options, size_t struct_size);
+MIEN_API void MIEN_CALL mien_blendshape_options_init(mien_blendshape_options* options,
+                                                     size_t struct_size);
 
 /**
- * Learns to predict one expression from the neutral face, on every subject of a dataset that has both.
+ * Learns to predict one expression from the neutral face, on every subject of a dataset that has
+ * both.
  *
  * @param session      [in] not null.
  * @param dataset_path [in] UTF-8, not null; a dataset file whose names include "neutral".
@@ -69,9 +72,9 @@ MIEN_API void MIEN_CALL mien_blendshape_options_init(mien_blendshape_options *op
  * @param options      [in] may be null.
  * @param out          [out] not null; the model, or null on failure.
  * @param error        [out] may be null.
- * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (fewer than 2 subjects, ridge), MIEN_E_NOT_FOUND (expression),
- *         MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_NO_SOLUTION, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY,
- *         MIEN_E_CANCELLED
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (fewer than 2 subjects, ridge),
+ * MIEN_E_NOT_FOUND (expression), MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_NO_SOLUTION,
+ * MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED
  * @owner  the caller releases *out with mien_blendshape_model_release()
  * @thread externally synchronized by session
  * @cancel yes
@@ -79,10 +82,9 @@ MIEN_API void MIEN_CALL mien_blendshape_options_init(mien_blendshape_options *op
  * @since  0.1
  * @source kosk-2024 5.3, with kernel ridge regression in the place of the networks
  */
-MIEN_API mien_status MIEN_CALL mien_blendshape_model_train(mien_session *session, const char *dataset_path,
-                                                           const char *expression,
-                                                           const mien_blendshape_options *options,
-                                                           mien_blendshape_model **out, mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_blendshape_model_train(
+    mien_session* session, const char* dataset_path, const char* expression,
+    const mien_blendshape_options* options, mien_blendshape_model** out, mien_error* error);
 
 /**
  * Opens a blendshape model file.
@@ -91,16 +93,17 @@ MIEN_API mien_status MIEN_CALL mien_blendshape_model_train(mien_session *session
  * @param path    [in] UTF-8, not null.
  * @param out     [out] not null; the model, or null on failure.
  * @param error   [out] may be null.
- * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT,
- *         MIEN_E_WRONG_KIND, MIEN_E_UNSUPPORTED_VERSION, MIEN_E_NO_MEMORY
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_BAD_FORMAT,
+ * MIEN_E_CORRUPT, MIEN_E_WRONG_KIND, MIEN_E_UNSUPPORTED_VERSION, MIEN_E_NO_MEMORY
  * @owner  the caller releases *out with mien_blendshape_model_release()
  * @thread externally synchronized by session
  * @cancel no
  * @cost   O(file size)
  * @since  0.1
  */
-MIEN_API mien_status MIEN_CALL mien_blendshape_model_load(mien_session *session, const char *path,
-                                                          mien_blendshape_model **out, mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_blendshape_model_load(mien_session* session, const char* path,
+                                                          mien_blendshape_model** out,
+                                                          mien_error* error);
 
 /**
  * Writes a blendshape model file (safetensors). Atomic.
@@ -116,12 +119,13 @@ MIEN_API mien_status MIEN_CALL mien_blendshape_model_load(mien_session *session,
  * @cost   96 bytes a vertex and subject
  * @since  0.1
  */
-MIEN_API mien_status MIEN_CALL mien_blendshape_model_save(mien_session *session,
-                                                          const mien_blendshape_model *model,
-                                                          const char *path, mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_blendshape_model_save(mien_session* session,
+                                                          const mien_blendshape_model* model,
+                                                          const char* path, mien_error* error);
 
 /**
- * The mean of the neutral training faces, centred: the mesh that a basis for this model is built on.
+ * The mean of the neutral training faces, centred: the mesh that a basis for this model is built
+ * on.
  *
  * @param model [in] not null.
  * @param out   [out] not null; the mesh, or null on failure.
@@ -133,22 +137,23 @@ MIEN_API mien_status MIEN_CALL mien_blendshape_model_save(mien_session *session,
  * @cost   O(#V + #F)
  * @since  0.1
  */
-MIEN_API mien_status MIEN_CALL mien_blendshape_model_get_mean(const mien_blendshape_model *model,
-                                                              mien_mesh **out, mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_blendshape_model_get_mean(const mien_blendshape_model* model,
+                                                              mien_mesh** out, mien_error* error);
 
 /**
  * A person's expression from the neutral face, in its frame.
  *
  * @param session [in] not null.
  * @param model   [in] not null.
- * @param basis   [in] may be null: then k = 0 gives the deformations' prediction, any other k the coordinates'.
- * @param k       [in] low frequencies from the coordinates' prediction, high ones from the deformations';
- *                0 to the basis' modes, #V or more: coordinates alone.
+ * @param basis   [in] may be null: then k = 0 gives the deformations' prediction, any other k the
+ * coordinates'.
+ * @param k       [in] low frequencies from the coordinates' prediction, high ones from the
+ * deformations'; 0 to the basis' modes, #V or more: coordinates alone.
  * @param neutral [in] not null; #V vertices, mm.
  * @param out     [out] not null; the predicted expression, or null on failure.
  * @param error   [out] may be null.
- * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (k), MIEN_E_MISMATCH (vertex counts), MIEN_E_NO_SOLUTION,
- *         MIEN_E_NO_MEMORY
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (k), MIEN_E_MISMATCH (vertex counts),
+ * MIEN_E_NO_SOLUTION, MIEN_E_NO_MEMORY
  * @owner  the caller releases *out with mien_mesh_release()
  * @thread externally synchronized by session
  * @cancel no
@@ -156,11 +161,11 @@ MIEN_API mien_status MIEN_CALL mien_blendshape_model_get_mean(const mien_blendsh
  * @since  0.1
  * @source kosk-2024 5.10
  */
-MIEN_API mien_status MIEN_CALL mien_blendshape_model_predict(mien_session *session,
-                                                             const mien_blendshape_model *model,
-                                                             const mien_spectral_basis *basis, uint64_t k,
-                                                             const mien_mesh *neutral, mien_mesh **out,
-                                                             mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_blendshape_model_predict(mien_session* session,
+                                                             const mien_blendshape_model* model,
+                                                             const mien_spectral_basis* basis,
+                                                             uint64_t k, const mien_mesh* neutral,
+                                                             mien_mesh** out, mien_error* error);
 
 /** One tried k of mien_blendshape_model_search(). */
 typedef struct mien_band_choice {
@@ -180,13 +185,14 @@ typedef struct mien_band_choice {
  * @param basis        [in] not null.
  * @param dataset_path [in] UTF-8, not null; subjects with a neutral face and the expression.
  * @param expression   [in] UTF-8, not null.
- * @param candidates   [in] not null; candidate_count values of k; above the basis' modes: coordinates alone.
+ * @param candidates   [in] not null; candidate_count values of k; above the basis' modes:
+ * coordinates alone.
  * @param candidate_count [in] 1 to 10000.
  * @param options      [in] may be null; its ridge is not read.
  * @param choices      [out] not null; candidate_count results.
  * @param error        [out] may be null.
- * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NOT_FOUND (expression), MIEN_E_MISMATCH, MIEN_E_IO,
- *         MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NOT_FOUND (expression),
+ * MIEN_E_MISMATCH, MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED
  * @owner  nothing
  * @thread externally synchronized by session
  * @cancel yes
@@ -195,9 +201,10 @@ typedef struct mien_band_choice {
  * @source kosk-2024 5.3.4, figure 5.8
  */
 MIEN_API mien_status MIEN_CALL mien_blendshape_model_search(
-    mien_session *session, const mien_blendshape_model *model, const mien_spectral_basis *basis,
-    const char *dataset_path, const char *expression, const uint64_t *candidates, uint32_t candidate_count,
-    const mien_blendshape_options *options, mien_band_choice *choices, mien_error *error);
+    mien_session* session, const mien_blendshape_model* model, const mien_spectral_basis* basis,
+    const char* dataset_path, const char* expression, const uint64_t* candidates,
+    uint32_t candidate_count, const mien_blendshape_options* options, mien_band_choice* choices,
+    mien_error* error);
 
 /**
  * Adds a reference: each retain needs a release of its own.
@@ -210,7 +217,7 @@ MIEN_API mien_status MIEN_CALL mien_blendshape_model_search(
  * @cost   O(1)
  * @since  0.1
  */
-MIEN_API void MIEN_CALL mien_blendshape_model_retain(mien_blendshape_model *model);
+MIEN_API void MIEN_CALL mien_blendshape_model_retain(mien_blendshape_model* model);
 
 /**
  * Gives one reference back; the last one frees the model.
@@ -223,7 +230,7 @@ MIEN_API void MIEN_CALL mien_blendshape_model_retain(mien_blendshape_model *mode
  * @cost   O(1)
  * @since  0.1
  */
-MIEN_API void MIEN_CALL mien_blendshape_model_release(mien_blendshape_model *model);
+MIEN_API void MIEN_CALL mien_blendshape_model_release(mien_blendshape_model* model);
 
 #ifdef __cplusplus
 }

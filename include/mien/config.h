@@ -15,21 +15,21 @@
 
 /* MIEN_STATIC: linked statically. MIEN_BUILD: set while the library itself is built. */
 #if defined(_WIN32) && !defined(MIEN_STATIC)
-#  if defined(MIEN_BUILD)
-#    define MIEN_API __declspec(dllexport)
-#  else
-#    define MIEN_API __declspec(dllimport)
-#  endif
-#elif defined(__GNUC__) && !defined(MIEN_STATIC)
-#  define MIEN_API __attribute__((visibility("default")))
+#if defined(MIEN_BUILD)
+#define MIEN_API __declspec(dllexport)
 #else
-#  define MIEN_API
+#define MIEN_API __declspec(dllimport)
+#endif
+#elif defined(__GNUC__) && !defined(MIEN_STATIC)
+#define MIEN_API __attribute__((visibility("default")))
+#else
+#define MIEN_API
 #endif
 
 #if defined(_WIN32)
-#  define MIEN_CALL __cdecl
+#define MIEN_CALL __cdecl
 #else
-#  define MIEN_CALL
+#define MIEN_CALL
 #endif
 
 #endif

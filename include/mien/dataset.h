@@ -29,10 +29,9 @@ typedef struct mien_dataset_writer mien_dataset_writer;
  * @cost   O(#F)
  * @since  0.1
  */
-MIEN_API mien_status MIEN_CALL mien_dataset_writer_create(mien_session *session, const mien_mesh *topology,
-                                                          const char *const *expression_names,
-                                                          uint32_t expression_count,
-                                                          mien_dataset_writer **out, mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_dataset_writer_create(
+    mien_session* session, const mien_mesh* topology, const char* const* expression_names,
+    uint32_t expression_count, mien_dataset_writer** out, mien_error* error);
 
 /**
  * Adds one face; its positions are copied.
@@ -42,17 +41,18 @@ MIEN_API mien_status MIEN_CALL mien_dataset_writer_create(mien_session *session,
  * @param subject    [in] any number that names the person.
  * @param expression [in] index into the expression names.
  * @param error      [out] may be null.
- * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MISMATCH (vertex count), MIEN_E_INVALID_MESH (not
- *         finite), MIEN_E_NO_MEMORY
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MISMATCH (vertex count),
+ * MIEN_E_INVALID_MESH (not finite), MIEN_E_NO_MEMORY
  * @owner  nothing
  * @thread externally synchronized by writer
  * @cancel no
  * @cost   O(#V), 12 #V bytes
  * @since  0.1
  */
-MIEN_API mien_status MIEN_CALL mien_dataset_writer_add(mien_dataset_writer *writer,
-                                                       const mien_array_view *positions, int32_t subject,
-                                                       int32_t expression, mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_dataset_writer_add(mien_dataset_writer* writer,
+                                                       const mien_array_view* positions,
+                                                       int32_t subject, int32_t expression,
+                                                       mien_error* error);
 
 /**
  * Writes all faces added so far. Atomic; more may be added and saved again.
@@ -68,9 +68,9 @@ MIEN_API mien_status MIEN_CALL mien_dataset_writer_add(mien_dataset_writer *writ
  * @cost   O(faces x #V)
  * @since  0.1
  */
-MIEN_API mien_status MIEN_CALL mien_dataset_writer_save(mien_session *session,
-                                                        const mien_dataset_writer *writer,
-                                                        const char *path, mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_dataset_writer_save(mien_session* session,
+                                                        const mien_dataset_writer* writer,
+                                                        const char* path, mien_error* error);
 
 /**
  * Releases a writer.
@@ -83,7 +83,7 @@ MIEN_API mien_status MIEN_CALL mien_dataset_writer_save(mien_session *session,
  * @cost   O(1)
  * @since  0.1
  */
-MIEN_API void MIEN_CALL mien_dataset_writer_release(mien_dataset_writer *writer);
+MIEN_API void MIEN_CALL mien_dataset_writer_release(mien_dataset_writer* writer);
 
 #ifdef __cplusplus
 }

@@ -13,11 +13,12 @@ extern "C" {
 typedef int32_t mien_status;
 enum {
     MIEN_OK = 0,
-    MIEN_E_INVALID_ARGUMENT = -1,    /**< a parameter is null or out of its range */
-    MIEN_E_INVALID_HANDLE = -2,      /**< a handle is null, released or of another type */
-    MIEN_E_INVALID_MESH = -3,        /**< empty, not finite, index out of range, degenerate */
-    MIEN_E_BUFFER_TOO_SMALL = -4,    /**< the count was written, nothing else */
-    MIEN_E_UNSUPPORTED_OPTION = -5,  /**< an options struct asks for what this library does not know */
+    MIEN_E_INVALID_ARGUMENT = -1, /**< a parameter is null or out of its range */
+    MIEN_E_INVALID_HANDLE = -2,   /**< a handle is null, released or of another type */
+    MIEN_E_INVALID_MESH = -3,     /**< empty, not finite, index out of range, degenerate */
+    MIEN_E_BUFFER_TOO_SMALL = -4, /**< the count was written, nothing else */
+    MIEN_E_UNSUPPORTED_OPTION =
+        -5, /**< an options struct asks for what this library does not know */
     MIEN_E_UNSUPPORTED_VERSION = -6, /**< ABI or file format of another major version */
     MIEN_E_NO_MEMORY = -7,           /**< an allocation failed; the session stays usable */
     MIEN_E_MEMORY_BUDGET = -8,       /**< the session's max_bytes would be exceeded */
@@ -33,14 +34,14 @@ enum {
     MIEN_E_INTERNAL = -18            /**< a defect of the library: please report it */
 };
 
-/** Detail of the last call that was given this record. Caller-allocated, so that nothing can leak and
- *  nothing is allocated when memory has run out. Set struct_size before the first use; every call
- *  overwrites the rest. */
+/** Detail of the last call that was given this record. Caller-allocated, so that nothing can leak
+ * and nothing is allocated when memory has run out. Set struct_size before the first use; every
+ * call overwrites the rest. */
 typedef struct mien_error {
-    uint32_t struct_size;  /**< sizeof(mien_error) as the caller knows it */
+    uint32_t struct_size; /**< sizeof(mien_error) as the caller knows it */
     mien_status status;
-    int64_t detail_index;  /**< first offending index (vertex, triangle, value), or -1 */
-    char message[256];     /**< UTF-8, zero-terminated: what, where, what to do. For people. */
+    int64_t detail_index; /**< first offending index (vertex, triangle, value), or -1 */
+    char message[256];    /**< UTF-8, zero-terminated: what, where, what to do. For people. */
 } mien_error;
 
 /**
@@ -54,7 +55,7 @@ typedef struct mien_error {
  * @cost   O(1)
  * @since  0.1
  */
-MIEN_API const char *MIEN_CALL mien_status_name(mien_status status);
+MIEN_API const char* MIEN_CALL mien_status_name(mien_status status);
 
 /**
  * The library's version as MAJOR * 1000000 + MINOR * 1000 + PATCH.
@@ -78,7 +79,7 @@ MIEN_API uint32_t MIEN_CALL mien_version_number(void);
  * @cost   O(1)
  * @since  0.1
  */
-MIEN_API const char *MIEN_CALL mien_version_string(void);
+MIEN_API const char* MIEN_CALL mien_version_string(void);
 
 /**
  * What was built, for bug reports: version, compiler, instruction sets in use on this processor.
@@ -90,7 +91,7 @@ MIEN_API const char *MIEN_CALL mien_version_string(void);
  * @cost   O(1)
  * @since  0.1
  */
-MIEN_API const char *MIEN_CALL mien_build_id(void);
+MIEN_API const char* MIEN_CALL mien_build_id(void);
 
 #ifdef __cplusplus
 }

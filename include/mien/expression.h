@@ -8,8 +8,8 @@
 extern "C" {
 #endif
 
-/** What was learned of faces and expressions: an identity subspace, an expression subspace, a prior of
- *  both. Immutable: share freely between threads. */
+/** What was learned of faces and expressions: an identity subspace, an expression subspace, a prior
+ * of both. Immutable: share freely between threads. */
 typedef struct mien_expression_model mien_expression_model;
 
 /**
@@ -19,20 +19,21 @@ typedef struct mien_expression_model mien_expression_model;
  * @param path    [in] UTF-8, not null.
  * @param out     [out] not null; the model, or null on failure.
  * @param error   [out] may be null.
- * @errors MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_WRONG_KIND, MIEN_E_UNSUPPORTED_VERSION, MIEN_E_CORRUPT,
- *         MIEN_E_NO_MEMORY
+ * @errors MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_WRONG_KIND, MIEN_E_UNSUPPORTED_VERSION,
+ * MIEN_E_CORRUPT, MIEN_E_NO_MEMORY
  * @owner  the caller releases *out with mien_expression_model_release()
  * @thread externally synchronized by session
  * @cancel no
  * @cost   O(file size)
  * @since  0.1
  */
-MIEN_API mien_status MIEN_CALL mien_expression_model_load(mien_session *session, const char *path,
-                                                          mien_expression_model **out, mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_expression_model_load(mien_session* session, const char* path,
+                                                          mien_expression_model** out,
+                                                          mien_error* error);
 
 /**
- * Loads a model from the bytes of a model file that the host holds in memory. They are copied and checked
- * like a file.
+ * Loads a model from the bytes of a model file that the host holds in memory. They are copied and
+ * checked like a file.
  *
  * @param session [in] not null.
  * @param data    [in] not null; size bytes, any alignment; not read after the call.
@@ -47,9 +48,10 @@ MIEN_API mien_status MIEN_CALL mien_expression_model_load(mien_session *session,
  * @cost   O(size), and as much memory
  * @since  0.1
  */
-MIEN_API mien_status MIEN_CALL mien_expression_model_load_memory(mien_session *session, const void *data,
-                                                                 uint64_t size, mien_expression_model **out,
-                                                                 mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_expression_model_load_memory(mien_session* session,
+                                                                 const void* data, uint64_t size,
+                                                                 mien_expression_model** out,
+                                                                 mien_error* error);
 
 /**
  * Writes a model file (safetensors, kind "mien-expression-model"). Atomic.
@@ -65,9 +67,9 @@ MIEN_API mien_status MIEN_CALL mien_expression_model_load_memory(mien_session *s
  * @cost   O(file size)
  * @since  0.1
  */
-MIEN_API mien_status MIEN_CALL mien_expression_model_save(mien_session *session,
-                                                          const mien_expression_model *model,
-                                                          const char *path, mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_expression_model_save(mien_session* session,
+                                                          const mien_expression_model* model,
+                                                          const char* path, mien_error* error);
 
 /**
  * Adds a reference.
@@ -80,7 +82,7 @@ MIEN_API mien_status MIEN_CALL mien_expression_model_save(mien_session *session,
  * @cost   O(1)
  * @since  0.1
  */
-MIEN_API void MIEN_CALL mien_expression_model_retain(mien_expression_model *model);
+MIEN_API void MIEN_CALL mien_expression_model_retain(mien_expression_model* model);
 
 /**
  * Drops a reference; the last one frees the model. Neutralizations keep what they need.
@@ -93,7 +95,7 @@ MIEN_API void MIEN_CALL mien_expression_model_retain(mien_expression_model *mode
  * @cost   O(1)
  * @since  0.1
  */
-MIEN_API void MIEN_CALL mien_expression_model_release(mien_expression_model *model);
+MIEN_API void MIEN_CALL mien_expression_model_release(mien_expression_model* model);
 
 /**
  * Numbers of vertices and modes.
@@ -110,15 +112,16 @@ MIEN_API void MIEN_CALL mien_expression_model_release(mien_expression_model *mod
  * @cost   O(1)
  * @since  0.1
  */
-MIEN_API mien_status MIEN_CALL mien_expression_model_get_counts(const mien_expression_model *model,
-                                                                uint64_t *vertex_count,
-                                                                uint32_t *identity_modes,
-                                                                uint32_t *expression_modes,
-                                                                mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_expression_model_get_counts(const mien_expression_model* model,
+                                                                uint64_t* vertex_count,
+                                                                uint32_t* identity_modes,
+                                                                uint32_t* expression_modes,
+                                                                mien_error* error);
 
 /**
- * What the model is, and after training how the training went, as a JSON object: sizes, expressions,
- * noise levels, iterations, orthogonality score per number of components, explained shares.
+ * What the model is, and after training how the training went, as a JSON object: sizes,
+ * expressions, noise levels, iterations, orthogonality score per number of components, explained
+ * shares.
  *
  * @param model    [in] not null.
  * @param dst      [out] room for capacity bytes, or null.
@@ -132,20 +135,22 @@ MIEN_API mien_status MIEN_CALL mien_expression_model_get_counts(const mien_expre
  * @cost   O(count)
  * @since  0.1
  */
-MIEN_API mien_status MIEN_CALL mien_expression_model_get_json(const mien_expression_model *model, char *dst,
-                                                              uint64_t capacity, uint64_t *count,
-                                                              mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_expression_model_get_json(const mien_expression_model* model,
+                                                              char* dst, uint64_t capacity,
+                                                              uint64_t* count, mien_error* error);
 
 /**
  * A face made from coordinates: mean + identity modes x identity + expression modes x expression.
  *
  * @param session    [in] not null.
  * @param model      [in] not null.
- * @param identity   [in] count identity_modes, F32 or F64, mm; count 0 (or null): the mean identity.
+ * @param identity   [in] count identity_modes, F32 or F64, mm; count 0 (or null): the mean
+ * identity.
  * @param expression [in] count expression_modes, F32 or F64, mm; count 0 (or null): neutral.
  * @param out        [out] not null; the mesh, or null on failure.
  * @param error      [out] may be null.
- * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MISMATCH (counts), MIEN_E_NO_MEMORY
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MISMATCH (counts),
+ * MIEN_E_NO_MEMORY
  * @owner  the caller releases *out with mien_mesh_release()
  * @thread externally synchronized by session
  * @cancel no
@@ -153,21 +158,21 @@ MIEN_API mien_status MIEN_CALL mien_expression_model_get_json(const mien_express
  * @since  0.1
  * @source jousse-2022 4.2
  */
-MIEN_API mien_status MIEN_CALL mien_expression_model_synthesize(mien_session *session,
-                                                                const mien_expression_model *model,
-                                                                const mien_array_view *identity,
-                                                                const mien_array_view *expression,
-                                                                mien_mesh **out, mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_expression_model_synthesize(mien_session* session,
+                                                                const mien_expression_model* model,
+                                                                const mien_array_view* identity,
+                                                                const mien_array_view* expression,
+                                                                mien_mesh** out, mien_error* error);
 
 /**
- * A random face of the model: identity coordinates from their Gaussian, expression coordinates from the
- * prior of one expression.
+ * A random face of the model: identity coordinates from their Gaussian, expression coordinates from
+ * the prior of one expression.
  *
  * @param session    [in] not null.
  * @param model      [in] not null.
  * @param seed       [in] any number; the same seed gives the same face on every machine.
- * @param expression [in] name of an expression of the model, "neutral", "any" (all expressions together),
- *                   or null: neutral without any expression.
+ * @param expression [in] name of an expression of the model, "neutral", "any" (all expressions
+ * together), or null: neutral without any expression.
  * @param out        [out] not null; the mesh, or null on failure.
  * @param error      [out] may be null.
  * @errors MIEN_E_INVALID_HANDLE, MIEN_E_NOT_FOUND (expression), MIEN_E_NO_MEMORY
@@ -178,10 +183,10 @@ MIEN_API mien_status MIEN_CALL mien_expression_model_synthesize(mien_session *se
  * @since  0.1
  * @source jousse-2022 4.2, figure 4.4
  */
-MIEN_API mien_status MIEN_CALL mien_expression_model_sample(mien_session *session,
-                                                            const mien_expression_model *model,
-                                                            uint64_t seed, const char *expression,
-                                                            mien_mesh **out, mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_expression_model_sample(mien_session* session,
+                                                            const mien_expression_model* model,
+                                                            uint64_t seed, const char* expression,
+                                                            mien_mesh** out, mien_error* error);
 
 #ifdef __cplusplus
 }

@@ -20,7 +20,8 @@ typedef struct mien_hierarchy mien_hierarchy;
  * @param factor      [in] vertices are divided by this from level to level; above 1.
  * @param out         [out] not null; the hierarchy, or null on failure.
  * @param error       [out] may be null.
- * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH,
+ * MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY
  * @owner  the caller releases *out with mien_hierarchy_release()
  * @thread externally synchronized by session
  * @cancel no
@@ -28,9 +29,11 @@ typedef struct mien_hierarchy mien_hierarchy;
  * @since  0.1
  * @source kosk-2024 3.3.2
  */
-MIEN_API mien_status MIEN_CALL mien_hierarchy_build_quadric(mien_session *session, const mien_mesh *mesh,
+MIEN_API mien_status MIEN_CALL mien_hierarchy_build_quadric(mien_session* session,
+                                                            const mien_mesh* mesh,
                                                             uint32_t level_count, double factor,
-                                                            mien_hierarchy **out, mien_error *error);
+                                                            mien_hierarchy** out,
+                                                            mien_error* error);
 
 /**
  * Levels sampled from the connectivity alone.
@@ -50,11 +53,9 @@ MIEN_API mien_status MIEN_CALL mien_hierarchy_build_quadric(mien_session *sessio
  * @since  0.1
  * @source kosk-2024 3.3.4
  */
-MIEN_API mien_status MIEN_CALL mien_hierarchy_build_connectivity(mien_session *session,
-                                                                 const mien_mesh *mesh,
-                                                                 uint32_t level_count, uint32_t stride,
-                                                                 uint32_t radius, mien_hierarchy **out,
-                                                                 mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_hierarchy_build_connectivity(
+    mien_session* session, const mien_mesh* mesh, uint32_t level_count, uint32_t stride,
+    uint32_t radius, mien_hierarchy** out, mien_error* error);
 
 /**
  * Opens a hierarchy file.
@@ -63,16 +64,16 @@ MIEN_API mien_status MIEN_CALL mien_hierarchy_build_connectivity(mien_session *s
  * @param path    [in] UTF-8, not null.
  * @param out     [out] not null; the hierarchy, or null on failure.
  * @param error   [out] may be null.
- * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT,
- *         MIEN_E_WRONG_KIND, MIEN_E_UNSUPPORTED_VERSION, MIEN_E_NO_MEMORY
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_BAD_FORMAT,
+ * MIEN_E_CORRUPT, MIEN_E_WRONG_KIND, MIEN_E_UNSUPPORTED_VERSION, MIEN_E_NO_MEMORY
  * @owner  the caller releases *out with mien_hierarchy_release()
  * @thread externally synchronized by session
  * @cancel no
  * @cost   O(file size)
  * @since  0.1
  */
-MIEN_API mien_status MIEN_CALL mien_hierarchy_load(mien_session *session, const char *path,
-                                                   mien_hierarchy **out, mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_hierarchy_load(mien_session* session, const char* path,
+                                                   mien_hierarchy** out, mien_error* error);
 
 /**
  * Writes a hierarchy file (safetensors; maps as compressed rows). Atomic.
@@ -88,8 +89,9 @@ MIEN_API mien_status MIEN_CALL mien_hierarchy_load(mien_session *session, const 
  * @cost   O(size)
  * @since  0.1
  */
-MIEN_API mien_status MIEN_CALL mien_hierarchy_save(mien_session *session, const mien_hierarchy *hierarchy,
-                                                   const char *path, mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_hierarchy_save(mien_session* session,
+                                                   const mien_hierarchy* hierarchy,
+                                                   const char* path, mien_error* error);
 
 /**
  * Number of levels, the finest included.
@@ -104,11 +106,13 @@ MIEN_API mien_status MIEN_CALL mien_hierarchy_save(mien_session *session, const 
  * @cost   O(1)
  * @since  0.1
  */
-MIEN_API mien_status MIEN_CALL mien_hierarchy_get_level_count(const mien_hierarchy *hierarchy,
-                                                              uint32_t *level_count, mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_hierarchy_get_level_count(const mien_hierarchy* hierarchy,
+                                                              uint32_t* level_count,
+                                                              mien_error* error);
 
 /**
- * The mesh of a level; level 0 is the finest. Sampled levels of the connectivity kind have no triangles.
+ * The mesh of a level; level 0 is the finest. Sampled levels of the connectivity kind have no
+ * triangles.
  *
  * @param hierarchy [in] not null.
  * @param level     [in] 0 to level_count - 1.
@@ -121,8 +125,9 @@ MIEN_API mien_status MIEN_CALL mien_hierarchy_get_level_count(const mien_hierarc
  * @cost   O(#V + #F of the level)
  * @since  0.1
  */
-MIEN_API mien_status MIEN_CALL mien_hierarchy_get_level(const mien_hierarchy *hierarchy, uint32_t level,
-                                                        mien_mesh **out, mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_hierarchy_get_level(const mien_hierarchy* hierarchy,
+                                                        uint32_t level, mien_mesh** out,
+                                                        mien_error* error);
 
 /** Directions of a hierarchy's maps. */
 enum {
@@ -143,18 +148,19 @@ enum {
  * @param capacity      [in] rows that dst holds.
  * @param count         [out] may be null; vertices of the level that the map ends at.
  * @param error         [out] may be null.
- * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_BUFFER_TOO_SMALL (dst untouched, count written),
- *         MIEN_E_MISMATCH (row_count), MIEN_E_NO_MEMORY
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_BUFFER_TOO_SMALL (dst untouched,
+ * count written), MIEN_E_MISMATCH (row_count), MIEN_E_NO_MEMORY
  * @owner  nothing
  * @thread thread-safe
  * @cancel no
  * @cost   O(non-zeroes x channel_count)
  * @since  0.1
  */
-MIEN_API mien_status MIEN_CALL mien_hierarchy_apply(const mien_hierarchy *hierarchy, uint32_t level,
-                                                    int32_t direction, const double *values,
-                                                    uint64_t row_count, uint64_t channel_count, double *dst,
-                                                    uint64_t capacity, uint64_t *count, mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_hierarchy_apply(const mien_hierarchy* hierarchy, uint32_t level,
+                                                    int32_t direction, const double* values,
+                                                    uint64_t row_count, uint64_t channel_count,
+                                                    double* dst, uint64_t capacity, uint64_t* count,
+                                                    mien_error* error);
 
 /**
  * Adds a reference: each retain needs a release of its own.
@@ -167,7 +173,7 @@ MIEN_API mien_status MIEN_CALL mien_hierarchy_apply(const mien_hierarchy *hierar
  * @cost   O(1)
  * @since  0.1
  */
-MIEN_API void MIEN_CALL mien_hierarchy_retain(mien_hierarchy *hierarchy);
+MIEN_API void MIEN_CALL mien_hierarchy_retain(mien_hierarchy* hierarchy);
 
 /**
  * Gives one reference back; the last one frees the hierarchy.
@@ -180,7 +186,7 @@ MIEN_API void MIEN_CALL mien_hierarchy_retain(mien_hierarchy *hierarchy);
  * @cost   O(1)
  * @since  0.1
  */
-MIEN_API void MIEN_CALL mien_hierarchy_release(mien_hierarchy *hierarchy);
+MIEN_API void MIEN_CALL mien_hierarchy_release(mien_hierarchy* hierarchy);
 
 #ifdef __cplusplus
 }

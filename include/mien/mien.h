@@ -1,7 +1,7 @@
 /* Mien: registers 3D face scans, removes facial expressions, measures what changed.
  *
- * Lengths are millimetres, volumes millilitres, +x is the subject's left, +y up, +z out of the face.
- * Every function that can fail returns a mien_status and fills an optional mien_error. */
+ * Lengths are millimetres, volumes millilitres, +x is the subject's left, +y up, +z out of the
+ * face. Every function that can fail returns a mien_status and fills an optional mien_error. */
 #ifndef MIEN_MIEN_H
 #define MIEN_MIEN_H
 

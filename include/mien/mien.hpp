@@ -1,5 +1,5 @@
-// Mien for C++17: RAII classes and exceptions over the C ABI. Header-only, so it never takes part in the
-// ABI: a program built with any compiler and standard library works with one libmien.
+// Mien for C++17: RAII classes and exceptions over the C ABI. Header-only, so it never takes part
+// in the ABI: a program built with any compiler and standard library works with one libmien.
 #ifndef MIEN_MIEN_HPP
 #define MIEN_MIEN_HPP
 

@@ -21,32 +21,33 @@ enum {
 
 /** Where a face lies against the training faces. */
 enum {
-    MIEN_POSE_AUTO = 0,  /**< on the model's stable zone where it has one; else rigid when the face lies more
-                              than 3 degrees or 8 mm away from the mean face and a rigid motion explains it
-                              clearly better, else kept */
-    MIEN_POSE_KEEP = 1,  /**< in the training's frame */
-    MIEN_POSE_RIGID = 2  /**< anywhere: a rigid motion is fitted together with the face */
+    MIEN_POSE_AUTO = 0, /**< on the model's stable zone where it has one; else rigid when the face
+                           lies more than 3 degrees or 8 mm away from the mean face and a rigid
+                           motion explains it clearly better, else kept */
+    MIEN_POSE_KEEP = 1, /**< in the training's frame */
+    MIEN_POSE_RIGID = 2 /**< anywhere: a rigid motion is fitted together with the face */
 };
 
 /** Initialise with mien_neutralize_options_init(). */
 typedef struct mien_neutralize_options {
     uint32_t struct_size;
-    int32_t method;          /**< MIEN_FIT_..., default MIEN_FIT_MIXTURE */
-    int32_t max_sweeps;      /**< alternating; 1 to 100000, default 200 */
-    int32_t uncertainty;     /**< 1: compute the deviation per vertex; default 0 */
-    int32_t pose;            /**< MIEN_POSE_..., default MIEN_POSE_AUTO */
-    uint32_t reserved;       /**< zero */
-    double tolerance_mm;     /**< alternating: stop when a sweep moves less; default 1e-6 */
-    double noise_mm2;        /**< 0 (default): the model's own */
-    double decay_mm;         /**< how far a displacement reaches beyond the model's rim; default 25 */
-    mien_array_view weights; /**< #V x 1, >= 0: 0 where the scan had no data; count 0: all one */
-    mien_progress_fn progress;  /**< may be null */
-    void *progress_user;
-    mien_cancel *cancel;        /**< may be null */
+    int32_t method;      /**< MIEN_FIT_..., default MIEN_FIT_MIXTURE */
+    int32_t max_sweeps;  /**< alternating; 1 to 100000, default 200 */
+    int32_t uncertainty; /**< 1: compute the deviation per vertex; default 0 */
+    int32_t pose;        /**< MIEN_POSE_..., default MIEN_POSE_AUTO */
+    uint32_t reserved;   /**< zero */
+    double tolerance_mm; /**< alternating: stop when a sweep moves less; default 1e-6 */
+    double noise_mm2;    /**< 0 (default): the model's own */
+    double decay_mm;     /**< how far a displacement reaches beyond the model's rim; default 25 */
+    mien_array_view weights;   /**< #V x 1, >= 0: 0 where the scan had no data; count 0: all one */
+    mien_progress_fn progress; /**< may be null */
+    void* progress_user;
+    mien_cancel* cancel; /**< may be null */
 } mien_neutralize_options;
 
 /**
- * Writes the defaults into the first struct_size bytes of *options and zeroes what it does not know.
+ * Writes the defaults into the first struct_size bytes of *options and zeroes what it does not
+ * know.
  *
  * @param options     [out] not null.
  * @param struct_size [in] sizeof(mien_neutralize_options) of the caller.
@@ -57,7 +58,8 @@ typedef struct mien_neutralize_options {
  * @cost   O(1)
  * @since  0.1
  */
-MIEN_API void MIEN_CALL mien_neutralize_options_init(mien_neutralize_options *options, size_t struct_size);
+MIEN_API void MIEN_CALL mien_neutralize_options_init(mien_neutralize_options* options,
+                                                     size_t struct_size);
 
 /**
  * mien_neutralize_mesh() of a registered face: its weights say where the scan had data, its pose is
@@ -77,36 +79,38 @@ MIEN_API void MIEN_CALL mien_neutralize_options_init(mien_neutralize_options *op
  * @since  0.1
  * @source as mien_neutralize_mesh()
  */
-MIEN_API mien_status MIEN_CALL mien_neutralize(mien_session *session, const mien_expression_model *model,
-                                               const mien_registration *fitted,
-                                               const mien_neutralize_options *options,
-                                               mien_neutralization **out, mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_neutralize(mien_session* session,
+                                               const mien_expression_model* model,
+                                               const mien_registration* fitted,
+                                               const mien_neutralize_options* options,
+                                               mien_neutralization** out, mien_error* error);
 
 /**
  * Takes the expression off a face and keeps everything that the model does not explain.
  *
  * @param session [in] not null.
  * @param model   [in] not null.
- * @param face    [in] not null; in the model's topology, or in a larger one that begins with it (there
- *                the displacement runs out smoothly behind the model's rim); mm.
+ * @param face    [in] not null; in the model's topology, or in a larger one that begins with it
+ * (there the displacement runs out smoothly behind the model's rim); mm.
  * @param options [in] may be null: defaults.
  * @param out     [out] not null; the result, or null on failure.
  * @param error   [out] may be null; detail_index is the first offending weight.
  * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MISMATCH (topology, weights),
- *         MIEN_E_NO_SOLUTION (MIEN_FIT_EXACT with too little of the face visible), MIEN_E_NO_MEMORY,
- *         MIEN_E_CANCELLED
+ *         MIEN_E_NO_SOLUTION (MIEN_FIT_EXACT with too little of the face visible),
+ * MIEN_E_NO_MEMORY, MIEN_E_CANCELLED
  * @owner  the caller releases *out with mien_neutralization_release()
  * @thread externally synchronized by session
  * @cancel yes
  * @cost   O(#V modes); with weights O(#V modes^2)
  * @since  0.1
- * @source jousse-2022 (4.14), (4.15), Algorithm 2 for MIEN_FIT_ALTERNATING; the priors are this library's own
+ * @source jousse-2022 (4.14), (4.15), Algorithm 2 for MIEN_FIT_ALTERNATING; the priors are this
+ * library's own
  */
-MIEN_API mien_status MIEN_CALL mien_neutralize_mesh(mien_session *session,
-                                                    const mien_expression_model *model,
-                                                    const mien_mesh *face,
-                                                    const mien_neutralize_options *options,
-                                                    mien_neutralization **out, mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_neutralize_mesh(mien_session* session,
+                                                    const mien_expression_model* model,
+                                                    const mien_mesh* face,
+                                                    const mien_neutralize_options* options,
+                                                    mien_neutralization** out, mien_error* error);
 
 /**
  * The neutral face with the triangles, colours and texture of the input, borrowed.
@@ -119,7 +123,8 @@ MIEN_API mien_status MIEN_CALL mien_neutralize_mesh(mien_session *session,
  * @cost   O(1)
  * @since  0.1
  */
-MIEN_API const mien_mesh *MIEN_CALL mien_neutralization_mesh(const mien_neutralization *neutralization);
+MIEN_API const mien_mesh* MIEN_CALL
+mien_neutralization_mesh(const mien_neutralization* neutralization);
 
 /**
  * Coordinates of the face in the model, mm along the unit modes.
@@ -135,9 +140,9 @@ MIEN_API const mien_mesh *MIEN_CALL mien_neutralization_mesh(const mien_neutrali
  * @cost   O(modes)
  * @since  0.1
  */
-MIEN_API mien_status MIEN_CALL mien_neutralization_get_coordinates(const mien_neutralization *neutralization,
-                                                                   double *identity, double *expression,
-                                                                   mien_error *error);
+MIEN_API mien_status MIEN_CALL
+mien_neutralization_get_coordinates(const mien_neutralization* neutralization, double* identity,
+                                    double* expression, mien_error* error);
 
 /**
  * Deviation per vertex of the neutral face that comes from not knowing the expression, mm.
@@ -147,17 +152,17 @@ MIEN_API mien_status MIEN_CALL mien_neutralization_get_coordinates(const mien_ne
  * @param capacity       [in] doubles that dst holds; with dst null and 0 only the count is written.
  * @param count          [out] may be null; #V of the face.
  * @param error          [out] may be null.
- * @errors MIEN_E_INVALID_HANDLE, MIEN_E_NOT_FOUND (options.uncertainty was 0, or a fit without a prior),
- *         MIEN_E_BUFFER_TOO_SMALL (dst untouched, count written)
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_NOT_FOUND (options.uncertainty was 0, or a fit without a
+ * prior), MIEN_E_BUFFER_TOO_SMALL (dst untouched, count written)
  * @owner  nothing
  * @thread thread-safe
  * @cancel no
  * @cost   O(#V)
  * @since  0.1
  */
-MIEN_API mien_status MIEN_CALL mien_neutralization_get_uncertainty(const mien_neutralization *neutralization,
-                                                                   double *dst, uint64_t capacity,
-                                                                   uint64_t *count, mien_error *error);
+MIEN_API mien_status MIEN_CALL
+mien_neutralization_get_uncertainty(const mien_neutralization* neutralization, double* dst,
+                                    uint64_t capacity, uint64_t* count, mien_error* error);
 
 /**
  * The report as a JSON object: expression found, its probability and the others', displacement,
@@ -175,9 +180,9 @@ MIEN_API mien_status MIEN_CALL mien_neutralization_get_uncertainty(const mien_ne
  * @cost   O(count)
  * @since  0.1
  */
-MIEN_API mien_status MIEN_CALL mien_neutralization_get_json(const mien_neutralization *neutralization,
-                                                            char *dst, uint64_t capacity, uint64_t *count,
-                                                            mien_error *error);
+MIEN_API mien_status MIEN_CALL
+mien_neutralization_get_json(const mien_neutralization* neutralization, char* dst,
+                             uint64_t capacity, uint64_t* count, mien_error* error);
 
 /**
  * Releases a neutralization.
@@ -190,30 +195,30 @@ MIEN_API mien_status MIEN_CALL mien_neutralization_get_json(const mien_neutraliz
  * @cost   O(1)
  * @since  0.1
  */
-MIEN_API void MIEN_CALL mien_neutralization_release(mien_neutralization *neutralization);
+MIEN_API void MIEN_CALL mien_neutralization_release(mien_neutralization* neutralization);
 
 /**
- * Carries the neutralizing displacement onto the scan's own vertices; triangles, colours and texture of
- * the scan stay. Parts far from the template move rigidly with their neighbourhood.
+ * Carries the neutralizing displacement onto the scan's own vertices; triangles, colours and
+ * texture of the scan stay. Parts far from the template move rigidly with their neighbourhood.
  *
  * @param session         [in] not null.
  * @param neutralization  [in] not null; of a face that was fitted to this scan.
  * @param scan            [in] not null; in the frame of the face.
- * @param max_distance_mm [in] how far from the fitted face a vertex takes its displacement; 0: 6 mm.
+ * @param max_distance_mm [in] how far from the fitted face a vertex takes its displacement; 0: 6
+ * mm.
  * @param out             [out] not null; the moved scan, or null on failure.
  * @param error           [out] may be null.
- * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_NO_SOLUTION, MIEN_E_NO_MEMORY
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_NO_SOLUTION,
+ * MIEN_E_NO_MEMORY
  * @owner  the caller releases *out with mien_mesh_release()
  * @thread externally synchronized by session
  * @cancel no
  * @cost   O(#scan log #V) and one sparse solve
  * @since  0.1
  */
-MIEN_API mien_status MIEN_CALL mien_neutralization_apply_to_scan(mien_session *session,
-                                                                 const mien_neutralization *neutralization,
-                                                                 const mien_mesh *scan,
-                                                                 double max_distance_mm, mien_mesh **out,
-                                                                 mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_neutralization_apply_to_scan(
+    mien_session* session, const mien_neutralization* neutralization, const mien_mesh* scan,
+    double max_distance_mm, mien_mesh** out, mien_error* error);
 
 /**
  * Puts the expression of one neutralized face onto another one's neutral face.
@@ -231,11 +236,11 @@ MIEN_API mien_status MIEN_CALL mien_neutralization_apply_to_scan(mien_session *s
  * @cost   O(#V modes)
  * @since  0.1
  */
-MIEN_API mien_status MIEN_CALL mien_expression_model_transfer(mien_session *session,
-                                                              const mien_expression_model *model,
-                                                              const mien_neutralization *source,
-                                                              const mien_neutralization *target,
-                                                              mien_mesh **out, mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_expression_model_transfer(mien_session* session,
+                                                              const mien_expression_model* model,
+                                                              const mien_neutralization* source,
+                                                              const mien_neutralization* target,
+                                                              mien_mesh** out, mien_error* error);
 
 #ifdef __cplusplus
 }

@@ -13,7 +13,7 @@ typedef struct mien_registration mien_registration;
 
 /** A named place on a scan, read in place and only during the call. */
 typedef struct mien_scan_landmark {
-    const char *name;   /**< UTF-8, not null; matched with the names stored in the model */
+    const char* name;   /**< UTF-8, not null; matched with the names stored in the model */
     double position[3]; /**< in the scan's frame and unit */
 } mien_scan_landmark;
 
@@ -29,64 +29,67 @@ enum {
 enum {
     MIEN_START_AUTOMATIC = 0, /**< landmarks when three match, else a search */
     MIEN_START_LANDMARKS = 1,
-    MIEN_START_POSE = 2,      /**< start_rotation, start_translation, start_scale */
-    MIEN_START_SEARCH = 3     /**< over all poses up to 60 degrees off frontal */
+    MIEN_START_POSE = 2,  /**< start_rotation, start_translation, start_scale */
+    MIEN_START_SEARCH = 3 /**< over all poses up to 60 degrees off frontal */
 };
 
 /** What one unit of the scan is. */
 enum {
-    MIEN_UNITS_DETECT = 0,      /**< metres, deci- and centimetres and inches are recognised by size and scaled */
+    MIEN_UNITS_DETECT =
+        0, /**< metres, deci- and centimetres and inches are recognised by size and scaled */
     MIEN_UNITS_MILLIMETRES = 1,
-    MIEN_UNITS_REFUSE = 2       /**< anything that does not look like millimetres is an error */
+    MIEN_UNITS_REFUSE = 2 /**< anything that does not look like millimetres is an error */
 };
 
 /** Initialise with mien_register_options_init(). */
 typedef struct mien_register_options {
     uint32_t struct_size;
-    int32_t growth;       /**< MIEN_GROWTH_*; default constant, with annealed noise */
-    const mien_scan_landmark *landmarks; /**< landmark_count landmarks; null: none */
+    int32_t growth; /**< MIEN_GROWTH_*; default constant, with annealed noise */
+    const mien_scan_landmark* landmarks; /**< landmark_count landmarks; null: none */
     uint64_t landmark_count;
-    double landmark_sigma_mm; /**< picking error per axis, > 0; default 2 */
-    int32_t start;        /**< MIEN_START_*; default automatic */
-    int32_t units;        /**< MIEN_UNITS_*; default detect */
+    double landmark_sigma_mm;     /**< picking error per axis, > 0; default 2 */
+    int32_t start;                /**< MIEN_START_*; default automatic */
+    int32_t units;                /**< MIEN_UNITS_*; default detect */
     mien_array_view scan_weights; /**< one weight in [0, 1] per scan vertex; count 0: all one */
-    int32_t skin_weights; /**< 1: weigh scan vertices by the probability of skin colour; default 0 */
-    int32_t close_gap;    /**< 1 (default): a smooth field closes what the modes leave open */
+    int32_t
+        skin_weights;  /**< 1: weigh scan vertices by the probability of skin colour; default 0 */
+    int32_t close_gap; /**< 1 (default): a smooth field closes what the modes leave open */
     int32_t max_scalar_modes; /**< of the model's kernel modes; default -1: all */
     int32_t max_pca_modes;    /**< of the model's trained modes; default -1: all */
-    int32_t iterations;   /**< 1 to 10000; default 0: as many as the library thinks right */
-    int32_t reject_border; /**< 1 (default): places on the scan's open border do not pull */
-    double sigma_start_mm; /**< noise level of a surface point in the first round; default 3 */
-    double sigma_end_mm;   /**< and in the last; default 0.5 */
-    double max_angle_deg;  /**< between the normals of a vertex and its place; default 60 */
-    double start_rotation[9];    /**< row by row, template to scan; default identity */
+    int32_t iterations;       /**< 1 to 10000; default 0: as many as the library thinks right */
+    int32_t reject_border;    /**< 1 (default): places on the scan's open border do not pull */
+    double sigma_start_mm;    /**< noise level of a surface point in the first round; default 3 */
+    double sigma_end_mm;      /**< and in the last; default 0.5 */
+    double max_angle_deg;     /**< between the normals of a vertex and its place; default 60 */
+    double start_rotation[9]; /**< row by row, template to scan; default identity */
     double start_translation[3]; /**< mm */
     double start_scale;          /**< default 1 */
-    mien_progress_fn progress; /**< may be null */
-    void *progress_user;
-    mien_cancel *cancel;       /**< may be null */
-    int32_t color_features; /**< 1 (default): where the scan has vertex colours, its lips and brows hold the fit along the
-                                 skin, and without landmarks eyes are seen to be shut; 0: by form alone. Needs landmarks of
-                                 the 68-point scheme in the model (brow_*, mouth_outer_*, eye_*) or its zone "lips" */
+    mien_progress_fn progress;   /**< may be null */
+    void* progress_user;
+    mien_cancel* cancel;    /**< may be null */
+    int32_t color_features; /**< 1 (default): where the scan has vertex colours, its lips and brows
+                               hold the fit along the skin, and without landmarks eyes are seen to
+                               be shut; 0: by form alone. Needs landmarks of the 68-point scheme in
+                               the model (brow_*, mouth_outer_*, eye_*) or its zone "lips" */
     uint32_t reserved;      /**< zero */
 } mien_register_options;
 
 /** How far a fit is to be trusted. */
 enum { MIEN_QUALITY_GOOD = 0, MIEN_QUALITY_DOUBTFUL = 1, MIEN_QUALITY_FAILED = 2 };
 
-/** The verdict on a fit; the reasons in words are in the JSON report. With fewer than three landmarks and without trained modes a
- *  fit is doubtful at best: its surface may be right and its vertices slid along it by millimetres, even where colours hold
- *  mouth and brows. */
+/** The verdict on a fit; the reasons in words are in the JSON report. With fewer than three
+ * landmarks and without trained modes a fit is doubtful at best: its surface may be right and its
+ * vertices slid along it by millimetres, even where colours hold mouth and brows. */
 typedef struct mien_fit_verdict {
     uint32_t struct_size;
-    int32_t quality;          /**< MIEN_QUALITY_* */
-    double coverage;          /**< share of the template's vertices with a scan beside them */
-    double inlier_share;      /**< of those: share that lies on the scan */
+    int32_t quality;     /**< MIEN_QUALITY_* */
+    double coverage;     /**< share of the template's vertices with a scan beside them */
+    double inlier_share; /**< of those: share that lies on the scan */
     double mean_residual_mm;
-    double landmark_rms_mm;   /**< 0 without landmarks */
-    double size_ratio;        /**< fitted size over template size */
-    double mean_deviation;    /**< of the coefficients, in standard deviations of the prior */
-    double unit_to_mm;        /**< what one unit of the scan was taken for */
+    double landmark_rms_mm; /**< 0 without landmarks */
+    double size_ratio;      /**< fitted size over template size */
+    double mean_deviation;  /**< of the coefficients, in standard deviations of the prior */
+    double unit_to_mm;      /**< what one unit of the scan was taken for */
     int32_t landmarks_used;
     int32_t landmarks_rejected;
     int32_t flipped_triangles;
@@ -95,14 +98,16 @@ typedef struct mien_fit_verdict {
 
 /** Fields with one value per template vertex. */
 enum {
-    MIEN_REGISTRATION_RESIDUAL_MM = 1,      /**< signed distance to the scan, positive: the scan lies outside */
-    MIEN_REGISTRATION_WEIGHT = 2,           /**< in [0, 1]: how much of the scan's say counted */
+    MIEN_REGISTRATION_RESIDUAL_MM =
+        1, /**< signed distance to the scan, positive: the scan lies outside */
+    MIEN_REGISTRATION_WEIGHT = 2, /**< in [0, 1]: how much of the scan's say counted */
     MIEN_REGISTRATION_STANDARD_DEVIATION_MM = 3, /**< of the place, per axis (root mean square) */
-    MIEN_REGISTRATION_RADIUS95_MM = 4       /**< the true place lies within, 95 times out of 100 */
+    MIEN_REGISTRATION_RADIUS95_MM = 4 /**< the true place lies within, 95 times out of 100 */
 };
 
 /**
- * Writes the defaults into the first struct_size bytes of *options and zeroes what it does not know.
+ * Writes the defaults into the first struct_size bytes of *options and zeroes what it does not
+ * know.
  *
  * @param options     [out] not null.
  * @param struct_size [in] sizeof(mien_register_options) of the caller.
@@ -113,24 +118,25 @@ enum {
  * @cost   O(1)
  * @since  0.1
  */
-MIEN_API void MIEN_CALL mien_register_options_init(mien_register_options *options, size_t struct_size);
+MIEN_API void MIEN_CALL mien_register_options_init(mien_register_options* options,
+                                                   size_t struct_size);
 
 /**
- * Fits a model's template to a scan: start, then rounds of closest points, robust weights and a weighted
- * solve with the model's prior, at falling noise levels; then a smooth field for the rest of the gap.
- * A fit that cannot be trusted is not an error: ask mien_registration_get_verdict().
+ * Fits a model's template to a scan: start, then rounds of closest points, robust weights and a
+ * weighted solve with the model's prior, at falling noise levels; then a smooth field for the rest
+ * of the gap. A fit that cannot be trusted is not an error: ask mien_registration_get_verdict().
  *
  * @param session [in] not null.
  * @param model   [in] not null.
- * @param scan    [in] not null; a surface or a cloud of points, any connectivity, any frame; its unit is
- *                detected (options.units). Up to 60 degrees off frontal without landmarks.
+ * @param scan    [in] not null; a surface or a cloud of points, any connectivity, any frame; its
+ * unit is detected (options.units). Up to 60 degrees off frontal without landmarks.
  * @param options [in] may be null: no landmarks, all defaults.
  * @param out     [out] not null; the registration, or null on failure.
  * @param error   [out] may be null.
- * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (nothing left after cleaning),
- *         MIEN_E_MISMATCH (scan_weights), MIEN_E_NOT_FOUND (start by landmarks, fewer than three known to the
- *         model), MIEN_E_NO_SOLUTION, MIEN_E_UNSUPPORTED_OPTION, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY,
- *         MIEN_E_CANCELLED, MIEN_E_CALLBACK
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (nothing left after
+ * cleaning), MIEN_E_MISMATCH (scan_weights), MIEN_E_NOT_FOUND (start by landmarks, fewer than three
+ * known to the model), MIEN_E_NO_SOLUTION, MIEN_E_UNSUPPORTED_OPTION, MIEN_E_MEMORY_BUDGET,
+ * MIEN_E_NO_MEMORY, MIEN_E_CANCELLED, MIEN_E_CALLBACK
  * @owner  the caller releases *out with mien_registration_release()
  * @thread externally synchronized by session
  * @cancel yes
@@ -138,9 +144,10 @@ MIEN_API void MIEN_CALL mien_register_options_init(mien_register_options *option
  * @since  0.1
  * @source jousse-2022 2.4, 2.5; see src/registration for equations and departures
  */
-MIEN_API mien_status MIEN_CALL mien_register(mien_session *session, const mien_model *model,
-                                             const mien_mesh *scan, const mien_register_options *options,
-                                             mien_registration **out, mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_register(mien_session* session, const mien_model* model,
+                                             const mien_mesh* scan,
+                                             const mien_register_options* options,
+                                             mien_registration** out, mien_error* error);
 
 /**
  * The fitted template: template topology, the scan's frame, millimetres.
@@ -153,7 +160,7 @@ MIEN_API mien_status MIEN_CALL mien_register(mien_session *session, const mien_m
  * @cost   O(1)
  * @since  0.1
  */
-MIEN_API const mien_mesh *MIEN_CALL mien_registration_mesh(const mien_registration *registration);
+MIEN_API const mien_mesh* MIEN_CALL mien_registration_mesh(const mien_registration* registration);
 
 /**
  * The verdict. Set out->struct_size first.
@@ -168,11 +175,13 @@ MIEN_API const mien_mesh *MIEN_CALL mien_registration_mesh(const mien_registrati
  * @cost   O(1)
  * @since  0.1
  */
-MIEN_API mien_status MIEN_CALL mien_registration_get_verdict(const mien_registration *registration,
-                                                             mien_fit_verdict *out, mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_registration_get_verdict(const mien_registration* registration,
+                                                             mien_fit_verdict* out,
+                                                             mien_error* error);
 
 /**
- * Copies a field with one float64 per template vertex. With dst null and capacity 0: the count only.
+ * Copies a field with one float64 per template vertex. With dst null and capacity 0: the count
+ * only.
  *
  * @param registration [in] not null.
  * @param field        [in] one of MIEN_REGISTRATION_RESIDUAL_MM, MIEN_REGISTRATION_WEIGHT,
@@ -181,21 +190,23 @@ MIEN_API mien_status MIEN_CALL mien_registration_get_verdict(const mien_registra
  * @param capacity     [in] values that dst holds.
  * @param count        [out] may be null; #V.
  * @param error        [out] may be null.
- * @errors MIEN_E_INVALID_HANDLE, MIEN_E_NOT_FOUND (no such field), MIEN_E_BUFFER_TOO_SMALL (dst untouched,
- *         count written)
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_NOT_FOUND (no such field), MIEN_E_BUFFER_TOO_SMALL (dst
+ * untouched, count written)
  * @owner  nothing
  * @thread thread-safe
  * @cancel no
  * @cost   O(#V)
  * @since  0.1
  */
-MIEN_API mien_status MIEN_CALL mien_registration_get_field(const mien_registration *registration,
-                                                           int32_t field, double *dst, uint64_t capacity,
-                                                           uint64_t *count, mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_registration_get_field(const mien_registration* registration,
+                                                           int32_t field, double* dst,
+                                                           uint64_t capacity, uint64_t* count,
+                                                           mien_error* error);
 
 /**
- * The dense correspondence: for every template vertex the scan's triangle (or point, for a cloud) nearest
- * to its fitted place, and barycentric coordinates in it. Numbers are those of the scan as it was given.
+ * The dense correspondence: for every template vertex the scan's triangle (or point, for a cloud)
+ * nearest to its fitted place, and barycentric coordinates in it. Numbers are those of the scan as
+ * it was given.
  *
  * @param registration [in] not null.
  * @param triangles    [out] room for capacity numbers, or null.
@@ -210,10 +221,9 @@ MIEN_API mien_status MIEN_CALL mien_registration_get_field(const mien_registrati
  * @cost   O(#V)
  * @since  0.1
  */
-MIEN_API mien_status MIEN_CALL mien_registration_get_correspondence(const mien_registration *registration,
-                                                                    uint32_t *triangles, double *barycentric,
-                                                                    uint64_t capacity, uint64_t *count,
-                                                                    mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_registration_get_correspondence(
+    const mien_registration* registration, uint32_t* triangles, double* barycentric,
+    uint64_t capacity, uint64_t* count, mien_error* error);
 
 /**
  * The motion from the template's frame to the scan's as a row-major 4 x 4 matrix.
@@ -228,28 +238,30 @@ MIEN_API mien_status MIEN_CALL mien_registration_get_correspondence(const mien_r
  * @cost   O(1)
  * @since  0.1
  */
-MIEN_API mien_status MIEN_CALL mien_registration_get_motion(const mien_registration *registration,
-                                                            double *matrix, mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_registration_get_motion(const mien_registration* registration,
+                                                            double* matrix, mien_error* error);
 
 /**
- * Verdict with reasons, energies, motion, color_agreement (correlation of each feature's colour with the template,
- * -1 to 1; empty when colours had no say) and summaries as JSON text. With dst null and capacity 0: the size only.
+ * Verdict with reasons, energies, motion, color_agreement (correlation of each feature's colour
+ * with the template, -1 to 1; empty when colours had no say) and summaries as JSON text. With dst
+ * null and capacity 0: the size only.
  *
  * @param registration [in] not null.
  * @param dst          [out] room for capacity bytes, or null.
  * @param capacity     [in] bytes that dst holds.
  * @param count        [out] may be null; bytes with the terminating zero.
  * @param error        [out] may be null.
- * @errors MIEN_E_INVALID_HANDLE, MIEN_E_BUFFER_TOO_SMALL (dst untouched, count written), MIEN_E_NO_MEMORY
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_BUFFER_TOO_SMALL (dst untouched, count written),
+ * MIEN_E_NO_MEMORY
  * @owner  nothing
  * @thread thread-safe
  * @cancel no
  * @cost   O(size)
  * @since  0.1
  */
-MIEN_API mien_status MIEN_CALL mien_registration_get_json(const mien_registration *registration, char *dst,
-                                                          uint64_t capacity, uint64_t *count,
-                                                          mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_registration_get_json(const mien_registration* registration,
+                                                          char* dst, uint64_t capacity,
+                                                          uint64_t* count, mien_error* error);
 
 /**
  * Adds a reference.
@@ -262,7 +274,7 @@ MIEN_API mien_status MIEN_CALL mien_registration_get_json(const mien_registratio
  * @cost   O(1)
  * @since  0.1
  */
-MIEN_API void MIEN_CALL mien_registration_retain(mien_registration *registration);
+MIEN_API void MIEN_CALL mien_registration_retain(mien_registration* registration);
 
 /**
  * Releases a registration.
@@ -275,28 +287,30 @@ MIEN_API void MIEN_CALL mien_registration_retain(mien_registration *registration
  * @cost   O(1)
  * @since  0.1
  */
-MIEN_API void MIEN_CALL mien_registration_release(mien_registration *registration);
+MIEN_API void MIEN_CALL mien_registration_release(mien_registration* registration);
 
 /** What mien_surface_transfer_json() carries over. */
 enum { MIEN_TRANSFER_LANDMARKS = 1, MIEN_TRANSFER_ZONES = 2 };
 
 /**
- * Carries places (landmarks, points of a contour) from one surface to another in the same frame, e.g. from
- * a fitted template to the scan under it or back: for each the nearest place on the other surface. With all
- * outputs null and capacity 0: the count only.
+ * Carries places (landmarks, points of a contour) from one surface to another in the same frame,
+ * e.g. from a fitted template to the scan under it or back: for each the nearest place on the other
+ * surface. With all outputs null and capacity 0: the count only.
  *
  * @param session         [in] not null.
  * @param surface         [in] not null; where the places go; a mesh or a cloud of points, mm.
  * @param points          [in] not null; #P x 3, F32 or F64, mm.
  * @param max_distance_mm [in] farther places are lost (triangle 0xFFFFFFFF); 0 or below: no limit.
- * @param triangles       [out] room for capacity triangle (cloud: vertex) numbers of `surface`, or null.
+ * @param triangles       [out] room for capacity triangle (cloud: vertex) numbers of `surface`, or
+ * null.
  * @param barycentric     [out] room for capacity x 3 values, or null.
- * @param positions       [out] room for capacity x 3 values in mm, or null; a lost place keeps where it was.
+ * @param positions       [out] room for capacity x 3 values in mm, or null; a lost place keeps
+ * where it was.
  * @param capacity        [in] rows that each given array holds.
  * @param count           [out] may be null; #P.
  * @param error           [out] may be null; detail_index is the first point that is not finite.
- * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_BUFFER_TOO_SMALL (nothing but count written),
- *         MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_BUFFER_TOO_SMALL (nothing but
+ * count written), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY
  * @owner  nothing
  * @thread externally synchronized by session
  * @cancel no
@@ -304,17 +318,15 @@ enum { MIEN_TRANSFER_LANDMARKS = 1, MIEN_TRANSFER_ZONES = 2 };
  * @since  0.1
  * @source jousse-2022 1.2, 5.2
  */
-MIEN_API mien_status MIEN_CALL mien_surface_transfer_points(mien_session *session, const mien_mesh *surface,
-                                                            const mien_array_view *points,
-                                                            double max_distance_mm, uint32_t *triangles,
-                                                            double *barycentric, double *positions,
-                                                            uint64_t capacity, uint64_t *count,
-                                                            mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_surface_transfer_points(
+    mien_session* session, const mien_mesh* surface, const mien_array_view* points,
+    double max_distance_mm, uint32_t* triangles, double* barycentric, double* positions,
+    uint64_t capacity, uint64_t* count, mien_error* error);
 
 /**
- * Carries a zone from one surface to another in the same frame: the vertices of `to` whose nearest place on
- * `from` lies in the zone (barycentric share of its vertices at least one half), ascending. With dst null and
- * capacity 0: the count only, at the cost of the whole computation.
+ * Carries a zone from one surface to another in the same frame: the vertices of `to` whose nearest
+ * place on `from` lies in the zone (barycentric share of its vertices at least one half),
+ * ascending. With dst null and capacity 0: the count only, at the cost of the whole computation.
  *
  * @param session         [in] not null.
  * @param from            [in] not null; with the zone's vertices.
@@ -326,9 +338,9 @@ MIEN_API mien_status MIEN_CALL mien_surface_transfer_points(mien_session *sessio
  * @param capacity        [in] numbers that dst holds.
  * @param count           [out] may be null; how many there are.
  * @param error           [out] may be null.
- * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (a fitted template without
- *         triangles), MIEN_E_MISMATCH (a vertex that `from` does not have), MIEN_E_BUFFER_TOO_SMALL (dst
- *         untouched, count written), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (a fitted template
+ * without triangles), MIEN_E_MISMATCH (a vertex that `from` does not have), MIEN_E_BUFFER_TOO_SMALL
+ * (dst untouched, count written), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY
  * @owner  nothing
  * @thread externally synchronized by session
  * @cancel no
@@ -336,16 +348,16 @@ MIEN_API mien_status MIEN_CALL mien_surface_transfer_points(mien_session *sessio
  * @since  0.1
  * @source jousse-2022 1.2, 5.2
  */
-MIEN_API mien_status MIEN_CALL mien_surface_transfer_zone(mien_session *session, const mien_mesh *from,
-                                                          const uint32_t *vertices, uint64_t vertex_count,
-                                                          const mien_mesh *to, double max_distance_mm,
-                                                          uint32_t *dst, uint64_t capacity, uint64_t *count,
-                                                          mien_error *error);
+MIEN_API mien_status MIEN_CALL
+mien_surface_transfer_zone(mien_session* session, const mien_mesh* from, const uint32_t* vertices,
+                           uint64_t vertex_count, const mien_mesh* to, double max_distance_mm,
+                           uint32_t* dst, uint64_t capacity, uint64_t* count, mien_error* error);
 
 /**
- * A model's landmarks or zones, carried from its fitted template to a scan, as JSON text in the form of the
- * landmark and zone files: {"points": {name: [x, y, z]}, "distances_mm": {name: d}} or {"zones": {name:
- * [scan vertex, ...]}}. With dst null and capacity 0: the size only, at the cost of the whole computation.
+ * A model's landmarks or zones, carried from its fitted template to a scan, as JSON text in the
+ * form of the landmark and zone files: {"points": {name: [x, y, z]}, "distances_mm": {name: d}} or
+ * {"zones": {name: [scan vertex, ...]}}. With dst null and capacity 0: the size only, at the cost
+ * of the whole computation.
  *
  * @param session         [in] not null.
  * @param model           [in] not null; whose landmarks and zones are meant.
@@ -357,8 +369,9 @@ MIEN_API mien_status MIEN_CALL mien_surface_transfer_zone(mien_session *session,
  * @param capacity        [in] bytes that dst holds.
  * @param count           [out] may be null; bytes with the terminating zero.
  * @param error           [out] may be null.
- * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (what), MIEN_E_MISMATCH (fitted is not of the model),
- *         MIEN_E_BUFFER_TOO_SMALL (dst untouched, count written), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (what), MIEN_E_MISMATCH (fitted is not of
+ * the model), MIEN_E_BUFFER_TOO_SMALL (dst untouched, count written), MIEN_E_MEMORY_BUDGET,
+ * MIEN_E_NO_MEMORY
  * @owner  nothing
  * @thread externally synchronized by session
  * @cancel no
@@ -366,11 +379,10 @@ MIEN_API mien_status MIEN_CALL mien_surface_transfer_zone(mien_session *session,
  * @since  0.1
  * @source jousse-2022 1.2, 5.2
  */
-MIEN_API mien_status MIEN_CALL mien_surface_transfer_json(mien_session *session, const mien_model *model,
-                                                          const mien_mesh *fitted, const mien_mesh *scan,
-                                                          int32_t what, double max_distance_mm, char *dst,
-                                                          uint64_t capacity, uint64_t *count,
-                                                          mien_error *error);
+MIEN_API mien_status MIEN_CALL
+mien_surface_transfer_json(mien_session* session, const mien_model* model, const mien_mesh* fitted,
+                           const mien_mesh* scan, int32_t what, double max_distance_mm, char* dst,
+                           uint64_t capacity, uint64_t* count, mien_error* error);
 
 #ifdef __cplusplus
 }

@@ -14,24 +14,26 @@ typedef struct mien_series mien_series;
 /** Initialise with mien_series_options_init(). */
 typedef struct mien_series_options {
     uint32_t struct_size;
-    int32_t method;            /**< MIEN_FIT_MIXTURE (default) or MIEN_FIT_MAP */
-    int32_t pose;              /**< MIEN_POSE_..., default MIEN_POSE_AUTO */
-    uint32_t reserved;         /**< zero */
-    double scan_noise_share;   /**< what differs between scans beyond the model, as a share of the noise
-                                    variance; default 0.01 */
-    double noise_mm2;          /**< noise variance; 0 (default): the model's own */
-    const uint32_t *changing_vertices; /**< where the identity may change between scans; null: nowhere */
+    int32_t method;          /**< MIEN_FIT_MIXTURE (default) or MIEN_FIT_MAP */
+    int32_t pose;            /**< MIEN_POSE_..., default MIEN_POSE_AUTO */
+    uint32_t reserved;       /**< zero */
+    double scan_noise_share; /**< what differs between scans beyond the model, as a share of the
+                                noise variance; default 0.01 */
+    double noise_mm2;        /**< noise variance; 0 (default): the model's own */
+    const uint32_t*
+        changing_vertices; /**< where the identity may change between scans; null: nowhere */
     uint64_t changing_count;
     double expected_change_mm; /**< there; default 5 */
     mien_progress_fn progress; /**< may be null */
-    void *progress_user;
-    mien_cancel *cancel;       /**< may be null */
-    mien_array_view weights;   /**< face_count x #V, face by face, >= 0: 0 where a scan had no data; count 0:
-                                    all one. */
+    void* progress_user;
+    mien_cancel* cancel;     /**< may be null */
+    mien_array_view weights; /**< face_count x #V, face by face, >= 0: 0 where a scan had no data;
+                                count 0: all one. */
 } mien_series_options;
 
 /**
- * Writes the defaults into the first struct_size bytes of *options and zeroes what it does not know.
+ * Writes the defaults into the first struct_size bytes of *options and zeroes what it does not
+ * know.
  *
  * @param options     [out] not null.
  * @param struct_size [in] sizeof(mien_series_options) of the caller.
@@ -42,15 +44,15 @@ typedef struct mien_series_options {
  * @cost   O(1)
  * @since  0.1
  */
-MIEN_API void MIEN_CALL mien_series_options_init(mien_series_options *options, size_t struct_size);
+MIEN_API void MIEN_CALL mien_series_options_init(mien_series_options* options, size_t struct_size);
 
 /**
  * Neutralizes several scans of one person together: one identity, an expression each.
  *
  * @param session [in] not null.
  * @param model   [in] not null.
- * @param faces   [in] not null; face_count faces in one topology: the model's, or a larger one that begins with
- *                it (there the displacement runs out smoothly behind the model's rim).
+ * @param faces   [in] not null; face_count faces in one topology: the model's, or a larger one that
+ * begins with it (there the displacement runs out smoothly behind the model's rim).
  * @param face_count [in] 1 to 1000.
  * @param options [in] may be null: defaults.
  * @param out     [out] not null; the result, or null on failure.
@@ -62,11 +64,9 @@ MIEN_API void MIEN_CALL mien_series_options_init(mien_series_options *options, s
  * @cost   O(K^2 #V modes), with changing vertices O(K^2 #V modes^2); K faces
  * @since  0.1
  */
-MIEN_API mien_status MIEN_CALL mien_neutralize_series(mien_session *session,
-                                                      const mien_expression_model *model,
-                                                      const mien_mesh *const *faces, uint32_t face_count,
-                                                      const mien_series_options *options,
-                                                      mien_series **out, mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_neutralize_series(
+    mien_session* session, const mien_expression_model* model, const mien_mesh* const* faces,
+    uint32_t face_count, const mien_series_options* options, mien_series** out, mien_error* error);
 
 /**
  * The neutral mesh of one face of a series, in that face's frame; or the person's shared one.
@@ -82,13 +82,13 @@ MIEN_API mien_status MIEN_CALL mien_neutralize_series(mien_session *session,
  * @cost   O(1)
  * @since  0.1
  */
-MIEN_API mien_status MIEN_CALL mien_series_get_mesh(const mien_series *series, int32_t index,
-                                                    mien_mesh **out, mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_series_get_mesh(const mien_series* series, int32_t index,
+                                                    mien_mesh** out, mien_error* error);
 
 /**
- * The report as a JSON object: "faces", a list with each face's expression, residual_rms_mm (distance from its
- * own fit), distance_to_shared_mm (root mean square distance of its neutral face from the shared one, without the
- * changing vertices) and warnings.
+ * The report as a JSON object: "faces", a list with each face's expression, residual_rms_mm
+ * (distance from its own fit), distance_to_shared_mm (root mean square distance of its neutral face
+ * from the shared one, without the changing vertices) and warnings.
  *
  * @param series   [in] not null.
  * @param dst      [out] room for capacity bytes, or null.
@@ -102,8 +102,9 @@ MIEN_API mien_status MIEN_CALL mien_series_get_mesh(const mien_series *series, i
  * @cost   O(count)
  * @since  0.1
  */
-MIEN_API mien_status MIEN_CALL mien_series_get_json(const mien_series *series, char *dst, uint64_t capacity,
-                                                    uint64_t *count, mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_series_get_json(const mien_series* series, char* dst,
+                                                    uint64_t capacity, uint64_t* count,
+                                                    mien_error* error);
 
 /**
  * Releases a series.
@@ -116,7 +117,7 @@ MIEN_API mien_status MIEN_CALL mien_series_get_json(const mien_series *series, c
  * @cost   O(1)
  * @since  0.1
  */
-MIEN_API void MIEN_CALL mien_series_release(mien_series *series);
+MIEN_API void MIEN_CALL mien_series_release(mien_series* series);
 
 #ifdef __cplusplus
 }

@@ -29,26 +29,29 @@ enum {
     MIEN_STAGE_WRITING = 10
 };
 
-/** Called on the calling thread only, holding no lock, at fixed points, with a fraction of 0 to 1 that
- *  never falls within a stage. Non-zero cancels: the call returns MIEN_E_CANCELLED. Must not unwind. */
-typedef int32_t(MIEN_CALL *mien_progress_fn)(void *user, int32_t stage, double fraction);
+/** Called on the calling thread only, holding no lock, at fixed points, with a fraction of 0 to 1
+ * that never falls within a stage. Non-zero cancels: the call returns MIEN_E_CANCELLED. Must not
+ * unwind. */
+typedef int32_t(MIEN_CALL* mien_progress_fn)(void* user, int32_t stage, double fraction);
 
 enum { MIEN_LOG_ERROR = 1, MIEN_LOG_WARNING = 2, MIEN_LOG_INFO = 3, MIEN_LOG_DEBUG = 4 };
 
 /** One message without a newline, on the calling thread. Must not unwind. */
-typedef void(MIEN_CALL *mien_log_fn)(void *user, int32_t level, const char *message);
+typedef void(MIEN_CALL* mien_log_fn)(void* user, int32_t level, const char* message);
 
 /** Initialise with mien_session_options_init(). */
 typedef struct mien_session_options {
     uint32_t struct_size;
-    int32_t num_threads; /**< 1 (default) to 256; 1 starts no thread. Results do not depend on it. */
-    uint64_t max_bytes;  /**< memory budget of one call, 0 (default): none */
-    mien_log_fn log;     /**< null (default): silent. The library never prints. */
-    void *log_user;
+    int32_t
+        num_threads;    /**< 1 (default) to 256; 1 starts no thread. Results do not depend on it. */
+    uint64_t max_bytes; /**< memory budget of one call, 0 (default): none */
+    mien_log_fn log;    /**< null (default): silent. The library never prints. */
+    void* log_user;
 } mien_session_options;
 
 /**
- * Writes the defaults into the first struct_size bytes of *options and zeroes what it does not know.
+ * Writes the defaults into the first struct_size bytes of *options and zeroes what it does not
+ * know.
  *
  * @param options     [out] not null.
  * @param struct_size [in] sizeof(mien_session_options) of the caller.
@@ -59,7 +62,8 @@ typedef struct mien_session_options {
  * @cost   O(1)
  * @since  0.1
  */
-MIEN_API void MIEN_CALL mien_session_options_init(mien_session_options *options, size_t struct_size);
+MIEN_API void MIEN_CALL mien_session_options_init(mien_session_options* options,
+                                                  size_t struct_size);
 
 /**
  * Makes a session with default options: one thread, no memory budget, silent.
@@ -74,8 +78,8 @@ MIEN_API void MIEN_CALL mien_session_options_init(mien_session_options *options,
  * @cost   O(1)
  * @since  0.1
  */
-MIEN_API mien_status MIEN_CALL mien_session_create(uint32_t abi_version, mien_session **out,
-                                                   mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_session_create(uint32_t abi_version, mien_session** out,
+                                                   mien_error* error);
 
 /**
  * Makes a session with options of the caller.
@@ -84,8 +88,8 @@ MIEN_API mien_status MIEN_CALL mien_session_create(uint32_t abi_version, mien_se
  * @param options     [in] may be null: defaults.
  * @param out         [out] not null; the session, or null on failure.
  * @param error       [out] may be null.
- * @errors MIEN_E_UNSUPPORTED_VERSION, MIEN_E_INVALID_ARGUMENT (num_threads), MIEN_E_UNSUPPORTED_OPTION,
- *         MIEN_E_NO_MEMORY (also when a thread cannot be started)
+ * @errors MIEN_E_UNSUPPORTED_VERSION, MIEN_E_INVALID_ARGUMENT (num_threads),
+ * MIEN_E_UNSUPPORTED_OPTION, MIEN_E_NO_MEMORY (also when a thread cannot be started)
  * @owner  the caller releases *out with mien_session_release()
  * @thread thread-safe
  * @cancel no
@@ -93,9 +97,9 @@ MIEN_API mien_status MIEN_CALL mien_session_create(uint32_t abi_version, mien_se
  * @since  0.1
  */
 MIEN_API mien_status MIEN_CALL mien_session_create_with_options(uint32_t abi_version,
-                                                                const mien_session_options *options,
-                                                                mien_session **out,
-                                                                mien_error *error);
+                                                                const mien_session_options* options,
+                                                                mien_session** out,
+                                                                mien_error* error);
 
 /**
  * Ends a session and its threads. Objects that were made in it stay valid.
@@ -108,7 +112,7 @@ MIEN_API mien_status MIEN_CALL mien_session_create_with_options(uint32_t abi_ver
  * @cost   joins the session's threads
  * @since  0.1
  */
-MIEN_API void MIEN_CALL mien_session_release(mien_session *session);
+MIEN_API void MIEN_CALL mien_session_release(mien_session* session);
 
 /**
  * Makes a cancel token: name it in the options of one call, request it from any thread.
@@ -122,7 +126,7 @@ MIEN_API void MIEN_CALL mien_session_release(mien_session *session);
  * @cost   O(1)
  * @since  0.1
  */
-MIEN_API mien_status MIEN_CALL mien_cancel_create(mien_cancel **out, mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_cancel_create(mien_cancel** out, mien_error* error);
 
 /**
  * Asks the call that was given this token to return MIEN_E_CANCELLED soon. Sticky.
@@ -135,7 +139,7 @@ MIEN_API mien_status MIEN_CALL mien_cancel_create(mien_cancel **out, mien_error 
  * @cost   O(1)
  * @since  0.1
  */
-MIEN_API void MIEN_CALL mien_cancel_request(mien_cancel *cancel);
+MIEN_API void MIEN_CALL mien_cancel_request(mien_cancel* cancel);
 
 /**
  * Releases a token. A running call that was given it keeps it alive.
@@ -148,7 +152,7 @@ MIEN_API void MIEN_CALL mien_cancel_request(mien_cancel *cancel);
  * @cost   O(1)
  * @since  0.1
  */
-MIEN_API void MIEN_CALL mien_cancel_release(mien_cancel *cancel);
+MIEN_API void MIEN_CALL mien_cancel_release(mien_cancel* cancel);
 
 #ifdef __cplusplus
 }

@@ -20,21 +20,26 @@ enum {
 };
 
 /** What to do with negative cotangent weights. */
-enum { MIEN_COTANGENTS_INTRINSIC_DELAUNAY = 0, MIEN_COTANGENTS_CLAMP = 1, MIEN_COTANGENTS_KEEP = 2 };
+enum {
+    MIEN_COTANGENTS_INTRINSIC_DELAUNAY = 0,
+    MIEN_COTANGENTS_CLAMP = 1,
+    MIEN_COTANGENTS_KEEP = 2
+};
 
 /** Initialise with mien_spectral_basis_options_init(). */
 typedef struct mien_spectral_basis_options {
     uint32_t struct_size;
-    uint32_t mode_count; /**< 1 to #V - 1; default 500 */
-    int32_t mass;        /**< MIEN_MASS_...; default mixed Voronoi */
-    int32_t cotangents;  /**< MIEN_COTANGENTS_...; default intrinsic Delaunay */
+    uint32_t mode_count;       /**< 1 to #V - 1; default 500 */
+    int32_t mass;              /**< MIEN_MASS_...; default mixed Voronoi */
+    int32_t cotangents;        /**< MIEN_COTANGENTS_...; default intrinsic Delaunay */
     mien_progress_fn progress; /**< may be null */
-    void *progress_user;
-    mien_cancel *cancel; /**< may be null */
+    void* progress_user;
+    mien_cancel* cancel; /**< may be null */
 } mien_spectral_basis_options;
 
 /**
- * Writes the defaults into the first struct_size bytes of *options and zeroes what it does not know.
+ * Writes the defaults into the first struct_size bytes of *options and zeroes what it does not
+ * know.
  *
  * @param options     [out] not null.
  * @param struct_size [in] sizeof(mien_spectral_basis_options) of the caller.
@@ -45,30 +50,33 @@ typedef struct mien_spectral_basis_options {
  * @cost   O(1)
  * @since  0.1
  */
-MIEN_API void MIEN_CALL mien_spectral_basis_options_init(mien_spectral_basis_options *options,
+MIEN_API void MIEN_CALL mien_spectral_basis_options_init(mien_spectral_basis_options* options,
                                                          size_t struct_size);
 
 /**
- * Computes the first eigenpairs of the mean shape's Laplacian by spectrum slicing; inertia counts prove that
- * none is missing.
+ * Computes the first eigenpairs of the mean shape's Laplacian by spectrum slicing; inertia counts
+ * prove that none is missing.
  *
  * @param session [in] not null.
  * @param mean    [in] not null; the mean shape, mm. Any triangle mesh.
  * @param options [in] may be null: 500 modes, mixed Voronoi mass, intrinsic Delaunay.
  * @param out     [out] not null; the basis, or null on failure.
  * @param error   [out] may be null.
- * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (mode_count), MIEN_E_UNSUPPORTED_OPTION, MIEN_E_INVALID_MESH,
- *         MIEN_E_NO_SOLUTION, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (mode_count), MIEN_E_UNSUPPORTED_OPTION,
+ * MIEN_E_INVALID_MESH, MIEN_E_NO_SOLUTION, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED
  * @owner  the caller releases *out with mien_spectral_basis_release()
  * @thread externally synchronized by session
  * @cancel yes
- * @cost   O(k #V) time with a large constant (seconds for 500 modes of 11,000 vertices), about 24 k #V bytes
+ * @cost   O(k #V) time with a large constant (seconds for 500 modes of 11,000 vertices), about 24 k
+ * #V bytes
  * @since  0.1
  * @source kosk-2024 4.2, 4.10
  */
-MIEN_API mien_status MIEN_CALL mien_spectral_basis_build(mien_session *session, const mien_mesh *mean,
-                                                         const mien_spectral_basis_options *options,
-                                                         mien_spectral_basis **out, mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_spectral_basis_build(mien_session* session,
+                                                         const mien_mesh* mean,
+                                                         const mien_spectral_basis_options* options,
+                                                         mien_spectral_basis** out,
+                                                         mien_error* error);
 
 /**
  * Opens a basis file; the vectors stay in the mapped file.
@@ -77,16 +85,17 @@ MIEN_API mien_status MIEN_CALL mien_spectral_basis_build(mien_session *session, 
  * @param path    [in] UTF-8, not null.
  * @param out     [out] not null; the basis, or null on failure.
  * @param error   [out] may be null.
- * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT,
- *         MIEN_E_WRONG_KIND, MIEN_E_UNSUPPORTED_VERSION, MIEN_E_NO_MEMORY
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_BAD_FORMAT,
+ * MIEN_E_CORRUPT, MIEN_E_WRONG_KIND, MIEN_E_UNSUPPORTED_VERSION, MIEN_E_NO_MEMORY
  * @owner  the caller releases *out with mien_spectral_basis_release()
  * @thread externally synchronized by session
  * @cancel no
  * @cost   O(file size), for the hash
  * @since  0.1
  */
-MIEN_API mien_status MIEN_CALL mien_spectral_basis_load(mien_session *session, const char *path,
-                                                        mien_spectral_basis **out, mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_spectral_basis_load(mien_session* session, const char* path,
+                                                        mien_spectral_basis** out,
+                                                        mien_error* error);
 
 /**
  * Writes a basis file (safetensors). Atomic.
@@ -102,9 +111,9 @@ MIEN_API mien_status MIEN_CALL mien_spectral_basis_load(mien_session *session, c
  * @cost   8 k #V bytes written
  * @since  0.1
  */
-MIEN_API mien_status MIEN_CALL mien_spectral_basis_save(mien_session *session,
-                                                        const mien_spectral_basis *basis, const char *path,
-                                                        mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_spectral_basis_save(mien_session* session,
+                                                        const mien_spectral_basis* basis,
+                                                        const char* path, mien_error* error);
 
 /**
  * Numbers of vertices and modes.
@@ -120,9 +129,10 @@ MIEN_API mien_status MIEN_CALL mien_spectral_basis_save(mien_session *session,
  * @cost   O(1)
  * @since  0.1
  */
-MIEN_API mien_status MIEN_CALL mien_spectral_basis_get_counts(const mien_spectral_basis *basis,
-                                                              uint64_t *vertex_count, uint64_t *mode_count,
-                                                              mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_spectral_basis_get_counts(const mien_spectral_basis* basis,
+                                                              uint64_t* vertex_count,
+                                                              uint64_t* mode_count,
+                                                              mien_error* error);
 
 /**
  * Copies the eigenvalues, ascending, 1/mm^2. With dst null and capacity 0: writes the count only.
@@ -132,16 +142,18 @@ MIEN_API mien_status MIEN_CALL mien_spectral_basis_get_counts(const mien_spectra
  * @param capacity [in] values that dst holds.
  * @param count    [out] may be null; k.
  * @param error    [out] may be null.
- * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_BUFFER_TOO_SMALL (dst untouched, count written)
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_BUFFER_TOO_SMALL (dst untouched,
+ * count written)
  * @owner  nothing
  * @thread thread-safe
  * @cancel no
  * @cost   O(k)
  * @since  0.1
  */
-MIEN_API mien_status MIEN_CALL mien_spectral_basis_get_eigenvalues(const mien_spectral_basis *basis,
-                                                                   double *dst, uint64_t capacity,
-                                                                   uint64_t *count, mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_spectral_basis_get_eigenvalues(const mien_spectral_basis* basis,
+                                                                   double* dst, uint64_t capacity,
+                                                                   uint64_t* count,
+                                                                   mien_error* error);
 
 /**
  * Adds a reference: each retain needs a release of its own.
@@ -154,7 +166,7 @@ MIEN_API mien_status MIEN_CALL mien_spectral_basis_get_eigenvalues(const mien_sp
  * @cost   O(1)
  * @since  0.1
  */
-MIEN_API void MIEN_CALL mien_spectral_basis_retain(mien_spectral_basis *basis);
+MIEN_API void MIEN_CALL mien_spectral_basis_retain(mien_spectral_basis* basis);
 
 /**
  * Gives one reference back; the last one frees the basis.
@@ -167,10 +179,11 @@ MIEN_API void MIEN_CALL mien_spectral_basis_retain(mien_spectral_basis *basis);
  * @cost   O(1)
  * @since  0.1
  */
-MIEN_API void MIEN_CALL mien_spectral_basis_release(mien_spectral_basis *basis);
+MIEN_API void MIEN_CALL mien_spectral_basis_release(mien_spectral_basis* basis);
 
 /**
- * Splits a face at mode k: the mean moved by its low, and by its high frequencies. low + high - mean is the face.
+ * Splits a face at mode k: the mean moved by its low, and by its high frequencies. low + high -
+ * mean is the face.
  *
  * @param session [in] not null.
  * @param basis   [in] not null.
@@ -179,7 +192,8 @@ MIEN_API void MIEN_CALL mien_spectral_basis_release(mien_spectral_basis *basis);
  * @param low     [out] may be null; the low band's mesh, or null on failure.
  * @param high    [out] may be null; the high band's mesh, or null on failure.
  * @param error   [out] may be null.
- * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (k), MIEN_E_MISMATCH (vertex count), MIEN_E_NO_MEMORY
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (k), MIEN_E_MISMATCH (vertex count),
+ * MIEN_E_NO_MEMORY
  * @owner  the caller releases *low and *high with mien_mesh_release()
  * @thread externally synchronized by session
  * @cancel no
@@ -187,9 +201,11 @@ MIEN_API void MIEN_CALL mien_spectral_basis_release(mien_spectral_basis *basis);
  * @since  0.1
  * @source kosk-2024 4.11
  */
-MIEN_API mien_status MIEN_CALL mien_spectral_split(mien_session *session, const mien_spectral_basis *basis,
-                                                   const mien_mesh *face, uint64_t k, mien_mesh **low,
-                                                   mien_mesh **high, mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_spectral_split(mien_session* session,
+                                                   const mien_spectral_basis* basis,
+                                                   const mien_mesh* face, uint64_t k,
+                                                   mien_mesh** low, mien_mesh** high,
+                                                   mien_error* error);
 
 /**
  * The low frequencies of one face with the high frequencies of another.
@@ -201,7 +217,8 @@ MIEN_API mien_status MIEN_CALL mien_spectral_split(mien_session *session, const 
  * @param k       [in] 0 to the basis' modes; #V or more gives `low`.
  * @param out     [out] not null; the assembled face, or null on failure.
  * @param error   [out] may be null.
- * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (k), MIEN_E_MISMATCH (vertex count), MIEN_E_NO_MEMORY
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (k), MIEN_E_MISMATCH (vertex count),
+ * MIEN_E_NO_MEMORY
  * @owner  the caller releases *out with mien_mesh_release()
  * @thread externally synchronized by session
  * @cancel no
@@ -209,10 +226,11 @@ MIEN_API mien_status MIEN_CALL mien_spectral_split(mien_session *session, const 
  * @since  0.1
  * @source kosk-2024 4.15, 5.10
  */
-MIEN_API mien_status MIEN_CALL mien_spectral_assemble(mien_session *session,
-                                                      const mien_spectral_basis *basis,
-                                                      const mien_mesh *low, const mien_mesh *high,
-                                                      uint64_t k, mien_mesh **out, mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_spectral_assemble(mien_session* session,
+                                                      const mien_spectral_basis* basis,
+                                                      const mien_mesh* low, const mien_mesh* high,
+                                                      uint64_t k, mien_mesh** out,
+                                                      mien_error* error);
 
 /**
  * Multiplies each band of a face by a gain: 0 smooths it away, 1 keeps it, more exaggerates it.
@@ -225,21 +243,23 @@ MIEN_API mien_status MIEN_CALL mien_spectral_assemble(mien_session *session,
  * @param gains       [in] not null; limit_count + 1 finite values.
  * @param out         [out] not null; the edited face, or null on failure.
  * @param error       [out] may be null.
- * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (limits, gains), MIEN_E_MISMATCH (vertex count),
- *         MIEN_E_NO_MEMORY
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (limits, gains), MIEN_E_MISMATCH (vertex
+ * count), MIEN_E_NO_MEMORY
  * @owner  the caller releases *out with mien_mesh_release()
  * @thread externally synchronized by session
  * @cancel no
  * @cost   O(last limit x #V)
  * @since  0.1
  */
-MIEN_API mien_status MIEN_CALL mien_spectral_edit(mien_session *session, const mien_spectral_basis *basis,
-                                                  const mien_mesh *face, const uint64_t *limits,
-                                                  uint64_t limit_count, const double *gains,
-                                                  mien_mesh **out, mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_spectral_edit(mien_session* session,
+                                                  const mien_spectral_basis* basis,
+                                                  const mien_mesh* face, const uint64_t* limits,
+                                                  uint64_t limit_count, const double* gains,
+                                                  mien_mesh** out, mien_error* error);
 
 /**
- * Moves each band of one face towards another's by its own weight; weights 1 and 0 exchange details.
+ * Moves each band of one face towards another's by its own weight; weights 1 and 0 exchange
+ * details.
  *
  * @param session     [in] not null.
  * @param basis       [in] not null.
@@ -250,8 +270,8 @@ MIEN_API mien_status MIEN_CALL mien_spectral_edit(mien_session *session, const m
  * @param weights     [in] not null; limit_count + 1 finite values.
  * @param out         [out] not null; the mixed face, or null on failure.
  * @param error       [out] may be null.
- * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (limits, weights), MIEN_E_MISMATCH (vertex count),
- *         MIEN_E_NO_MEMORY
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (limits, weights), MIEN_E_MISMATCH (vertex
+ * count), MIEN_E_NO_MEMORY
  * @owner  the caller releases *out with mien_mesh_release()
  * @thread externally synchronized by session
  * @cancel no
@@ -259,18 +279,21 @@ MIEN_API mien_status MIEN_CALL mien_spectral_edit(mien_session *session, const m
  * @since  0.1
  * @source kosk-2024 4.16, there in a network's latent space
  */
-MIEN_API mien_status MIEN_CALL mien_spectral_mix(mien_session *session, const mien_spectral_basis *basis,
-                                                 const mien_mesh *first, const mien_mesh *second,
-                                                 const uint64_t *limits, uint64_t limit_count,
-                                                 const double *weights, mien_mesh **out, mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_spectral_mix(mien_session* session,
+                                                 const mien_spectral_basis* basis,
+                                                 const mien_mesh* first, const mien_mesh* second,
+                                                 const uint64_t* limits, uint64_t limit_count,
+                                                 const double* weights, mien_mesh** out,
+                                                 mien_error* error);
 
 /** Distances between two faces. */
 enum {
-    MIEN_METRIC_L1 = 1,        /**< mm: mean of |dx| + |dy| + |dz| over the vertices */
-    MIEN_METRIC_L2 = 2,        /**< mm: mean Euclidean distance over the vertices */
-    MIEN_METRIC_HAUSDORFF = 3, /**< mm: largest distance of a vertex from the other surface, both ways */
-    MIEN_METRIC_DAME = 4,      /**< rad: change of the dihedral angles, masked, weighted with area */
-    MIEN_METRIC_FMPD = 5       /**< 0 to 1: difference of the global roughness */
+    MIEN_METRIC_L1 = 1, /**< mm: mean of |dx| + |dy| + |dz| over the vertices */
+    MIEN_METRIC_L2 = 2, /**< mm: mean Euclidean distance over the vertices */
+    MIEN_METRIC_HAUSDORFF =
+        3,                /**< mm: largest distance of a vertex from the other surface, both ways */
+    MIEN_METRIC_DAME = 4, /**< rad: change of the dihedral angles, masked, weighted with area */
+    MIEN_METRIC_FMPD = 5  /**< 0 to 1: difference of the global roughness */
 };
 
 /**
@@ -282,8 +305,8 @@ enum {
  * @param other     [in] not null; mm.
  * @param value     [out] not null; unchanged on failure.
  * @param error     [out] may be null.
- * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (metric), MIEN_E_MISMATCH (vertex count or triangles),
- *         MIEN_E_INVALID_MESH (no triangles), MIEN_E_NO_MEMORY
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (metric), MIEN_E_MISMATCH (vertex count or
+ * triangles), MIEN_E_INVALID_MESH (no triangles), MIEN_E_NO_MEMORY
  * @owner  nothing
  * @thread externally synchronized by session
  * @cancel no
@@ -291,8 +314,9 @@ enum {
  * @since  0.1
  * @source kosk-2024 3.3.10; Vasa & Rus 2012; Wang, Torkhani & Montanvert 2012
  */
-MIEN_API mien_status MIEN_CALL mien_metric(mien_session *session, int32_t metric, const mien_mesh *reference,
-                                           const mien_mesh *other, double *value, mien_error *error);
+MIEN_API mien_status MIEN_CALL mien_metric(mien_session* session, int32_t metric,
+                                           const mien_mesh* reference, const mien_mesh* other,
+                                           double* value, mien_error* error);
 
 #ifdef __cplusplus
 }

@@ -78,7 +78,8 @@ void gram_panels(const Context& context, const ConstRef& a, const WeightVector& 
         fail(Status::internal, "gram matrix of %lldx%lld into %lldx%lld",
              static_cast<long long>(rows), static_cast<long long>(n),
              static_cast<long long>(c.rows()), static_cast<long long>(c.cols()));
-    // Without weights A is read where it lies, otherwise its used rows are gathered, each times the root of its weight.
+    // Without weights A is read where it lies, otherwise its used rows are gathered, each times the
+    // root of its weight.
     const bool gather = weights.size() != 0;
     std::vector<Index> used;
     std::vector<Scalar> root;
@@ -97,7 +98,8 @@ void gram_panels(const Context& context, const ConstRef& a, const WeightVector& 
         sum.setZero(n, n);
         Dense block(gather ? static_cast<Index>(kBlock) : 0, n);
         for (std::size_t start = begin; start < end; start += kBlock) {
-            const Index first = static_cast<Index>(start), size = static_cast<Index>(std::min(end, start + kBlock)) - first;
+            const Index first = static_cast<Index>(start),
+                        size = static_cast<Index>(std::min(end, start + kBlock)) - first;
             for (Index j = 0; gather && j < n; ++j) {
                 const Scalar* column = a.data() + j * a.outerStride();
                 for (Index i = 0; i < size; ++i) {
@@ -106,9 +108,11 @@ void gram_panels(const Context& context, const ConstRef& a, const WeightVector& 
                 }
             }
             if (gather)
-                kernel.gram(n, size, block.data(), block.outerStride(), sum.data(), sum.outerStride());
+                kernel.gram(n, size, block.data(), block.outerStride(), sum.data(),
+                            sum.outerStride());
             else
-                kernel.gram(n, size, a.data() + first, a.outerStride(), sum.data(), sum.outerStride());
+                kernel.gram(n, size, a.data() + first, a.outerStride(), sum.data(),
+                            sum.outerStride());
         }
     });
     c.setZero();
@@ -119,24 +123,28 @@ void gram_panels(const Context& context, const ConstRef& a, const WeightVector& 
 
 // Rows of a thin product at a time: with 500 columns half of a second cache of 1 MiB.
 constexpr std::size_t kStrip = 256;
-// Of one with a single column, which is read in the order of the memory: the column stays in the first cache.
+// Of one with a single column, which is read in the order of the memory: the column stays in the
+// first cache.
 constexpr std::size_t kLongStrip = 3072;
 
 void check_thin(const ConstMatrixRefF& a, const Field& field) {
     if (field.rows() != a.rows())
-        fail(Status::internal, "thin product of %lldx%lld with a field of %lld rows", static_cast<long long>(a.rows()),
-             static_cast<long long>(a.cols()), static_cast<long long>(field.rows()));
+        fail(Status::internal, "thin product of %lldx%lld with a field of %lld rows",
+             static_cast<long long>(a.rows()), static_cast<long long>(a.cols()),
+             static_cast<long long>(field.rows()));
 }
 
 /// A' field of each strip, three columns a strip, to be added in their order whoever computed them.
 class StripSums {
   public:
     explicit StripSums(const ConstMatrixRefF& a)
-        : parts_(a.cols(), 3 * ((a.rows() + static_cast<Index>(kStrip) - 1) / static_cast<Index>(kStrip))) {}
+        : parts_(a.cols(),
+                 3 * ((a.rows() + static_cast<Index>(kStrip) - 1) / static_cast<Index>(kStrip))) {}
     void project(const ConstMatrixRefF& a, const Field& field, Index first, Index count) {
         const Index k = a.cols();
-        kernels<float>().project_thin(count, k, a.data() + first, a.outerStride(), field.data() + first, field.rows(),
-                                      parts_.data() + 3 * k * (first / static_cast<Index>(kStrip)), k);
+        kernels<float>().project_thin(
+            count, k, a.data() + first, a.outerStride(), field.data() + first, field.rows(),
+            parts_.data() + 3 * k * (first / static_cast<Index>(kStrip)), k);
     }
     void add_up(Eigen::MatrixXf& out) const {
         out.setZero(parts_.rows(), 3);
@@ -149,14 +157,16 @@ class StripSums {
 
 template <typename Work>  // (first row, number of rows)
 void for_each_strip(const Context& context, Index rows, const Work& work) {
-    parallel_for(context, static_cast<std::size_t>(rows), kStrip, [&](std::size_t begin, std::size_t end) {
-        work(static_cast<Index>(begin), static_cast<Index>(end - begin));
-    });
+    parallel_for(context, static_cast<std::size_t>(rows), kStrip,
+                 [&](std::size_t begin, std::size_t end) {
+                     work(static_cast<Index>(begin), static_cast<Index>(end - begin));
+                 });
 }
 
-void expand(const ConstMatrixRefF& a, const ConstMatrixRefF& x, Field& field, Index first, Index count) {
-    kernels<float>().expand_thin(count, a.cols(), a.data() + first, a.outerStride(), x.data(), x.outerStride(),
-                                 field.data() + first, field.rows());
+void expand(const ConstMatrixRefF& a, const ConstMatrixRefF& x, Field& field, Index first,
+            Index count) {
+    kernels<float>().expand_thin(count, a.cols(), a.data() + first, a.outerStride(), x.data(),
+                                 x.outerStride(), field.data() + first, field.rows());
 }
 
 }  // namespace
@@ -166,7 +176,9 @@ bool uses_avx2() {
     return supported && !portable_only;
 }
 
-void use_portable_loops(bool portable) { portable_only = portable; }
+void use_portable_loops(bool portable) {
+    portable_only = portable;
+}
 
 void multiply(const Context& context, double alpha, const ConstMatrixRefD& a, Op op_a,
               const ConstMatrixRefD& b, Op op_b, double beta, MatrixRefD c) {
@@ -188,32 +200,43 @@ void weighted_gram(const Context& context, const ConstMatrixRefF& a, const Eigen
     gram_panels<float>(context, a, weights, c);
 }
 
-bool factor_spd(MatrixRefD a) { return kernels<double>().factor_spd(a.rows(), a.data(), a.outerStride()); }
+bool factor_spd(MatrixRefD a) {
+    return kernels<double>().factor_spd(a.rows(), a.data(), a.outerStride());
+}
 
-bool factor_spd(MatrixRefF a) { return kernels<float>().factor_spd(a.rows(), a.data(), a.outerStride()); }
+bool factor_spd(MatrixRefF a) {
+    return kernels<float>().factor_spd(a.rows(), a.data(), a.outerStride());
+}
 
 void solve_factored(const ConstMatrixRefD& factor, MatrixRefD b) {
-    kernels<double>().solve_factored(b.rows(), b.cols(), factor.data(), factor.outerStride(), b.data(), b.outerStride());
+    kernels<double>().solve_factored(b.rows(), b.cols(), factor.data(), factor.outerStride(),
+                                     b.data(), b.outerStride());
 }
 
 void solve_factored(const ConstMatrixRefF& factor, MatrixRefF b) {
-    kernels<float>().solve_factored(b.rows(), b.cols(), factor.data(), factor.outerStride(), b.data(), b.outerStride());
+    kernels<float>().solve_factored(b.rows(), b.cols(), factor.data(), factor.outerStride(),
+                                    b.data(), b.outerStride());
 }
 
-void add_thin_product(const Context& context, const ConstMatrixRefF& a, const ConstMatrixRefF& x, Field& field) {
+void add_thin_product(const Context& context, const ConstMatrixRefF& a, const ConstMatrixRefF& x,
+                      Field& field) {
     check_thin(a, field);
-    for_each_strip(context, a.rows(), [&](Index first, Index count) { expand(a, x, field, first, count); });
+    for_each_strip(context, a.rows(),
+                   [&](Index first, Index count) { expand(a, x, field, first, count); });
 }
 
-void project_thin(const Context& context, const ConstMatrixRefF& a, const Field& field, Eigen::MatrixXf& out) {
+void project_thin(const Context& context, const ConstMatrixRefF& a, const Field& field,
+                  Eigen::MatrixXf& out) {
     check_thin(a, field);
     StripSums sums(a);
-    for_each_strip(context, a.rows(), [&](Index first, Index count) { sums.project(a, field, first, count); });
+    for_each_strip(context, a.rows(),
+                   [&](Index first, Index count) { sums.project(a, field, first, count); });
     sums.add_up(out);
 }
 
-void expand_and_project(const Context& context, const ConstMatrixRefF& a, const ConstMatrixRefF& x, Field& field,
-                        const std::function<void(Index first, Index count)>& between, Eigen::MatrixXf& out) {
+void expand_and_project(const Context& context, const ConstMatrixRefF& a, const ConstMatrixRefF& x,
+                        Field& field, const std::function<void(Index first, Index count)>& between,
+                        Eigen::MatrixXf& out) {
     check_thin(a, field);
     StripSums sums(a);
     for_each_strip(context, a.rows(), [&](Index first, Index count) {
@@ -224,53 +247,63 @@ void expand_and_project(const Context& context, const ConstMatrixRefF& a, const 
     sums.add_up(out);
 }
 
-void add_product(const Context& context, const ConstMatrixRefF& a, const Vector& x, Eigen::Ref<Vector> out) {
+void add_product(const Context& context, const ConstMatrixRefF& a, const Vector& x,
+                 Eigen::Ref<Vector> out) {
     const Eigen::VectorXf factors = x.cast<float>();
-    parallel_for(context, static_cast<std::size_t>(a.rows()), kLongStrip, [&](std::size_t begin, std::size_t end) {
-        const auto first = static_cast<Index>(begin), count = static_cast<Index>(end - begin);
-        Eigen::VectorXf sum = Eigen::VectorXf::Zero(count);
-        kernels<float>().expand_column(count, a.cols(), a.data() + first, a.outerStride(), factors.data(), x.size(),
-                                       sum.data(), count);
-        out.segment(first, count) += sum.cast<double>();
-    });
+    parallel_for(
+        context, static_cast<std::size_t>(a.rows()), kLongStrip,
+        [&](std::size_t begin, std::size_t end) {
+            const auto first = static_cast<Index>(begin), count = static_cast<Index>(end - begin);
+            Eigen::VectorXf sum = Eigen::VectorXf::Zero(count);
+            kernels<float>().expand_column(count, a.cols(), a.data() + first, a.outerStride(),
+                                           factors.data(), x.size(), sum.data(), count);
+            out.segment(first, count) += sum.cast<double>();
+        });
 }
 
-Vector project(const Context& context, const ConstMatrixRefF& a, const Eigen::Ref<const Vector>& y) {
-    return parallel_sum(context, static_cast<std::size_t>(a.rows()), kLongStrip, Vector(Vector::Zero(a.cols())),
-                        [&](std::size_t begin, std::size_t end) {
-                            const auto first = static_cast<Index>(begin), count = static_cast<Index>(end - begin);
-                            const Eigen::VectorXf part = y.segment(first, count).cast<float>();
-                            Eigen::VectorXf sums(a.cols());
-                            kernels<float>().project_column(count, a.cols(), a.data() + first, a.outerStride(),
-                                                            part.data(), count, sums.data(), a.cols());
-                            return Vector(sums.cast<double>());
-                        });
+Vector project(const Context& context, const ConstMatrixRefF& a,
+               const Eigen::Ref<const Vector>& y) {
+    return parallel_sum(
+        context, static_cast<std::size_t>(a.rows()), kLongStrip, Vector(Vector::Zero(a.cols())),
+        [&](std::size_t begin, std::size_t end) {
+            const auto first = static_cast<Index>(begin), count = static_cast<Index>(end - begin);
+            const Eigen::VectorXf part = y.segment(first, count).cast<float>();
+            Eigen::VectorXf sums(a.cols());
+            kernels<float>().project_column(count, a.cols(), a.data() + first, a.outerStride(),
+                                            part.data(), count, sums.data(), a.cols());
+            return Vector(sums.cast<double>());
+        });
 }
 
-void project_rows(const Context& context, const ConstMatrixRefD& a_transposed, const PointsRef& field, Matrix& out) {
+void project_rows(const Context& context, const ConstMatrixRefD& a_transposed,
+                  const PointsRef& field, Matrix& out) {
     const Index k = a_transposed.rows();
     const Matrix columns = field;
-    out = parallel_sum(context, static_cast<std::size_t>(field.rows()), kStrip, Matrix(Matrix::Zero(k, 3)),
-                       [&](std::size_t begin, std::size_t end) {
-                           const auto first = static_cast<Index>(begin), count = static_cast<Index>(end - begin);
+    out = parallel_sum(context, static_cast<std::size_t>(field.rows()), kStrip,
+                       Matrix(Matrix::Zero(k, 3)), [&](std::size_t begin, std::size_t end) {
+                           const auto first = static_cast<Index>(begin),
+                                      count = static_cast<Index>(end - begin);
                            Matrix part = Matrix::Zero(k, 3);
-                           kernels<double>().expand_thin(k, count, a_transposed.col(first).data(),
-                                                         a_transposed.outerStride(), columns.data() + first,
-                                                         columns.rows(), part.data(), k);
+                           kernels<double>().expand_thin(
+                               k, count, a_transposed.col(first).data(), a_transposed.outerStride(),
+                               columns.data() + first, columns.rows(), part.data(), k);
                            return part;
                        });
 }
 
-void expand_rows(const Context& context, const ConstMatrixRefD& a_transposed, const Matrix& x, Points& field) {
+void expand_rows(const Context& context, const ConstMatrixRefD& a_transposed, const Matrix& x,
+                 Points& field) {
     const Index k = a_transposed.rows(), n = a_transposed.cols();
     field.resize(n, 3);
-    parallel_for(context, static_cast<std::size_t>(n), kStrip, [&](std::size_t begin, std::size_t end) {
-        const auto count = static_cast<Index>(end - begin), first = n - static_cast<Index>(end);
-        Matrix part(count, 3);
-        kernels<double>().project_thin(k, count, a_transposed.col(first).data(), a_transposed.outerStride(), x.data(),
-                                       x.rows(), part.data(), count);
-        field.middleRows(first, count) = part;
-    });
+    parallel_for(
+        context, static_cast<std::size_t>(n), kStrip, [&](std::size_t begin, std::size_t end) {
+            const auto count = static_cast<Index>(end - begin), first = n - static_cast<Index>(end);
+            Matrix part(count, 3);
+            kernels<double>().project_thin(k, count, a_transposed.col(first).data(),
+                                           a_transposed.outerStride(), x.data(), x.rows(),
+                                           part.data(), count);
+            field.middleRows(first, count) = part;
+        });
 }
 
 }  // namespace mien::dense

@@ -18,10 +18,11 @@ struct Kernels {
     /// Cholesky of the lower triangle in place. False: not positive definite.
     bool (*factor_spd)(std::ptrdiff_t n, Scalar* a, std::ptrdiff_t lda);
     /// n x m right-hand sides by that factor, in place.
-    void (*solve_factored)(std::ptrdiff_t n, std::ptrdiff_t m, const Scalar* factor, std::ptrdiff_t ldf, Scalar* b,
-                           std::ptrdiff_t ldb);
-    using Thin = void (*)(std::ptrdiff_t m, std::ptrdiff_t k, const Scalar* a, std::ptrdiff_t lda, const Scalar* in,
-                          std::ptrdiff_t ld_in, Scalar* out, std::ptrdiff_t ld_out);
+    void (*solve_factored)(std::ptrdiff_t n, std::ptrdiff_t m, const Scalar* factor,
+                           std::ptrdiff_t ldf, Scalar* b, std::ptrdiff_t ldb);
+    using Thin = void (*)(std::ptrdiff_t m, std::ptrdiff_t k, const Scalar* a, std::ptrdiff_t lda,
+                          const Scalar* in, std::ptrdiff_t ld_in, Scalar* out,
+                          std::ptrdiff_t ld_out);
     Thin expand_thin;     ///< Y (m x 3) += A X for A (m x k), X (k x 3)
     Thin project_thin;    ///< X (k x 3) = A' Y
     Thin expand_column;   ///< the same for one column

@@ -9,23 +9,23 @@ namespace mien {
 /// The numbers are frozen: they are the C ABI's numbers.
 enum class Status : std::int32_t {
     ok = 0,
-    invalid_argument = -1,     ///< a parameter is out of its range
-    invalid_handle = -2,       ///< null, released or of another type
-    invalid_mesh = -3,         ///< empty, not finite, index out of range, degenerate
+    invalid_argument = -1,  ///< a parameter is out of its range
+    invalid_handle = -2,    ///< null, released or of another type
+    invalid_mesh = -3,      ///< empty, not finite, index out of range, degenerate
     buffer_too_small = -4,
     unsupported_option = -5,   ///< an options struct asks for what this library does not know
     unsupported_version = -6,  ///< ABI or file format of another major version
     no_memory = -7,
-    memory_budget = -8,        ///< the session's max_bytes would be exceeded
-    io = -9,                   ///< a file cannot be opened, read or written
-    bad_format = -10,          ///< a file is not what its format says
-    corrupt = -11,             ///< hash mismatch or values that are not finite
-    wrong_kind = -12,          ///< a good file of another kind
-    mismatch = -13,            ///< two inputs do not belong together (vertex counts, topology)
-    no_solution = -14,         ///< a factorisation or iteration failed
-    not_found = -15,           ///< a name (landmark, zone, expression) is unknown
+    memory_budget = -8,  ///< the session's max_bytes would be exceeded
+    io = -9,             ///< a file cannot be opened, read or written
+    bad_format = -10,    ///< a file is not what its format says
+    corrupt = -11,       ///< hash mismatch or values that are not finite
+    wrong_kind = -12,    ///< a good file of another kind
+    mismatch = -13,      ///< two inputs do not belong together (vertex counts, topology)
+    no_solution = -14,   ///< a factorisation or iteration failed
+    not_found = -15,     ///< a name (landmark, zone, expression) is unknown
     cancelled = -16,
-    callback = -17,            ///< a host callback unwound
+    callback = -17,  ///< a host callback unwound
     internal = -18,
 };
 

@@ -71,7 +71,8 @@ using NativePath = std::wstring;
 NativePath native(const std::string& path) {
     check_path(path);
     const int size = static_cast<int>(path.size());
-    const int wide = MultiByteToWideChar(CP_UTF8, MB_ERR_INVALID_CHARS, path.data(), size, nullptr, 0);
+    const int wide =
+        MultiByteToWideChar(CP_UTF8, MB_ERR_INVALID_CHARS, path.data(), size, nullptr, 0);
     if (wide <= 0)
         fail(Status::invalid_argument, "the path '%s' is not UTF-8", shown_path(path).c_str());
     NativePath result(static_cast<std::size_t>(wide), L'\0');
@@ -83,13 +84,24 @@ NativePath native(const std::string& path) {
     const char* reason = nullptr;
     switch (code) {
         case ERROR_FILE_NOT_FOUND:
-        case ERROR_PATH_NOT_FOUND: reason = "no such file or folder"; break;
-        case ERROR_ACCESS_DENIED: reason = "permission denied, or it is a folder"; break;
-        case ERROR_SHARING_VIOLATION: reason = "another program holds it open"; break;
+        case ERROR_PATH_NOT_FOUND:
+            reason = "no such file or folder";
+            break;
+        case ERROR_ACCESS_DENIED:
+            reason = "permission denied, or it is a folder";
+            break;
+        case ERROR_SHARING_VIOLATION:
+            reason = "another program holds it open";
+            break;
         case ERROR_DISK_FULL:
-        case ERROR_HANDLE_DISK_FULL: reason = "the disk is full"; break;
-        case ERROR_INVALID_NAME: reason = "not a valid file name"; break;
-        default: break;
+        case ERROR_HANDLE_DISK_FULL:
+            reason = "the disk is full";
+            break;
+        case ERROR_INVALID_NAME:
+            reason = "not a valid file name";
+            break;
+        default:
+            break;
     }
     if (reason != nullptr)
         fail(Status::io, "cannot %s '%s': %s", action, shown_path(path).c_str(), reason);
@@ -99,9 +111,9 @@ NativePath native(const std::string& path) {
 class OpenFile {
   public:
     explicit OpenFile(const std::string& path) : path_(path) {
-        handle_ = CreateFileW(native(path).c_str(), GENERIC_READ,
-                              FILE_SHARE_READ | FILE_SHARE_DELETE, nullptr, OPEN_EXISTING,
-                              FILE_ATTRIBUTE_NORMAL, nullptr);
+        handle_ =
+            CreateFileW(native(path).c_str(), GENERIC_READ, FILE_SHARE_READ | FILE_SHARE_DELETE,
+                        nullptr, OPEN_EXISTING, FILE_ATTRIBUTE_NORMAL, nullptr);
         if (handle_ == INVALID_HANDLE_VALUE) fail_io("open", path, GetLastError());
         LARGE_INTEGER bytes;
         if (GetFileType(handle_) != FILE_TYPE_DISK || !GetFileSizeEx(handle_, &bytes)) {
@@ -148,22 +160,46 @@ class OpenFile {
 [[noreturn]] void fail_io(const char* action, const std::string& path, int code) {
     const char* reason = nullptr;
     switch (code) {
-        case ENOENT: reason = "no such file or folder"; break;
+        case ENOENT:
+            reason = "no such file or folder";
+            break;
         case EACCES:
-        case EPERM: reason = "permission denied"; break;
-        case EROFS: reason = "the disk is read-only"; break;
+        case EPERM:
+            reason = "permission denied";
+            break;
+        case EROFS:
+            reason = "the disk is read-only";
+            break;
         case ENOSPC:
-        case EDQUOT: reason = "the disk is full"; break;
-        case EFBIG: reason = "larger than the system allows"; break;
-        case EISDIR: reason = "it is a folder"; break;
-        case ENOTDIR: reason = "a part of the path is not a folder"; break;
-        case ENAMETOOLONG: reason = "the name is too long"; break;
-        case ELOOP: reason = "too many symbolic links"; break;
+        case EDQUOT:
+            reason = "the disk is full";
+            break;
+        case EFBIG:
+            reason = "larger than the system allows";
+            break;
+        case EISDIR:
+            reason = "it is a folder";
+            break;
+        case ENOTDIR:
+            reason = "a part of the path is not a folder";
+            break;
+        case ENAMETOOLONG:
+            reason = "the name is too long";
+            break;
+        case ELOOP:
+            reason = "too many symbolic links";
+            break;
         case EMFILE:
-        case ENFILE: reason = "too many open files"; break;
-        case EIO: reason = "the disk reports an error"; break;
-        case ENOMEM: fail(Status::no_memory, "no memory to %s '%s'", action, shown_path(path).c_str());
-        default: break;
+        case ENFILE:
+            reason = "too many open files";
+            break;
+        case EIO:
+            reason = "the disk reports an error";
+            break;
+        case ENOMEM:
+            fail(Status::no_memory, "no memory to %s '%s'", action, shown_path(path).c_str());
+        default:
+            break;
     }
     if (reason != nullptr)
         fail(Status::io, "cannot %s '%s': %s", action, shown_path(path).c_str(), reason);
@@ -239,7 +275,8 @@ void release_pages(const void* data, std::size_t size) {
 #else
     const std::uintptr_t page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
     const std::uintptr_t begin = reinterpret_cast<std::uintptr_t>(data);
-    const std::uintptr_t first = (begin + page - 1) / page * page, last = (begin + size) / page * page;
+    const std::uintptr_t first = (begin + page - 1) / page * page,
+                         last = (begin + size) / page * page;
     // The mapping is read-only and backed by its file: dropping its pages loses nothing.
     if (first < last) madvise(reinterpret_cast<void*>(first), last - first, MADV_DONTNEED);
 #endif
@@ -253,8 +290,8 @@ FileBytes read_whole_file(const std::string& path, const Context& context) {
     std::shared_ptr<char> copy(new char[file.size], std::default_delete<char[]>());
     while (bytes.size < file.size) {
         context.check_cancelled();
-        const std::size_t got = file.read(copy.get() + bytes.size,
-                                          std::min(kLargestCall, file.size - bytes.size));
+        const std::size_t got =
+            file.read(copy.get() + bytes.size, std::min(kLargestCall, file.size - bytes.size));
         if (got == 0) break;  // it became shorter: what is left is judged by its reader
         bytes.size += got;
     }
@@ -277,7 +314,8 @@ struct AtomicFile::State {
         if (attributes != INVALID_FILE_ATTRIBUTES && (attributes & FILE_ATTRIBUTE_DIRECTORY))
             fail(Status::io, "cannot write '%s': it is a folder", shown_path(path).c_str());
         const std::size_t slash = target.find_last_of(L"/\\:");
-        const NativePath folder = slash == NativePath::npos ? NativePath() : target.substr(0, slash + 1);
+        const NativePath folder =
+            slash == NativePath::npos ? NativePath() : target.substr(0, slash + 1);
         for (;;) {
             const std::string name = temporary_name(GetCurrentProcessId());
             temporary = folder + NativePath(name.begin(), name.end());
@@ -326,9 +364,11 @@ struct AtomicFile::State {
         const bool exists = ::stat(path.c_str(), &info) == 0;
         if (exists && S_ISDIR(info.st_mode)) fail_io("write", path, EISDIR);
         if (exists && !S_ISREG(info.st_mode))
-            fail(Status::io, "cannot write '%s': it is not a regular file", shown_path(path).c_str());
+            fail(Status::io, "cannot write '%s': it is not a regular file",
+                 shown_path(path).c_str());
         if (exists) {
-            std::unique_ptr<char, void (*)(void*)> real(::realpath(path.c_str(), nullptr), std::free);
+            std::unique_ptr<char, void (*)(void*)> real(::realpath(path.c_str(), nullptr),
+                                                        std::free);
             if (real != nullptr) target = real.get();
         }
         const std::size_t slash = target.rfind('/');

@@ -23,8 +23,8 @@ struct FileBytes {
 FileBytes map_file(const std::string& path);
 
 /// Tells the system that this part of a mapped file is not needed soon: its whole pages leave the
-/// process's memory and come back from the file when they are read again. `data` must lie in bytes of
-/// map_file(). Does nothing where the system has no such call.
+/// process's memory and come back from the file when they are read again. `data` must lie in bytes
+/// of map_file(). Does nothing where the system has no such call.
 void release_pages(const void* data, std::size_t size);
 
 /// Reads a regular file into memory: safe against a file that changes. Same errors as map_file();

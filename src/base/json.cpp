@@ -90,7 +90,8 @@ bool is_utf8(const std::string& text) {
                                                        : -1;
         if (more < 0 || i + static_cast<std::size_t>(more) >= size) return false;
         for (int k = 1; k <= more; ++k) {
-            const unsigned char c = static_cast<unsigned char>(text[i + static_cast<std::size_t>(k)]);
+            const unsigned char c =
+                static_cast<unsigned char>(text[i + static_cast<std::size_t>(k)]);
             // The second byte alone tells overlong forms, surrogates and numbers past U+10FFFF.
             const unsigned char low = k > 1          ? 0x80
                                       : lead == 0xe0 ? 0xa0

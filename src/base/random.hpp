@@ -1,5 +1,5 @@
-// Chance that depends on a seed and a place alone: number i of stream s is the same whatever was drawn
-// before it, on however many threads.
+// Chance that depends on a seed and a place alone: number i of stream s is the same whatever was
+// drawn before it, on however many threads.
 #pragma once
 
 #include <cmath>

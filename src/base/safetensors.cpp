@@ -27,8 +27,8 @@ struct KnownType {
 };
 
 constexpr KnownType kTypes[] = {
-    {"F32", 4, 1}, {"F64", 8, 2}, {"I32", 4, 3},  {"U32", 4, 4}, {"U8", 1, 5},
-    {"I64", 8, 6}, {"U64", 8, 0}, {"I16", 2, 0},  {"U16", 2, 0}, {"F16", 2, 0},
+    {"F32", 4, 1}, {"F64", 8, 2},  {"I32", 4, 3},  {"U32", 4, 4},     {"U8", 1, 5},
+    {"I64", 8, 6}, {"U64", 8, 0},  {"I16", 2, 0},  {"U16", 2, 0},     {"F16", 2, 0},
     {"I8", 1, 0},  {"BOOL", 1, 0}, {"BF16", 2, 0}, {"F8_E4M3", 1, 0}, {"F8_E5M2", 1, 0},
 };
 
@@ -246,7 +246,8 @@ SafetensorsFile SafetensorsFile::from_memory(const void* data, std::size_t size,
 const std::string& SafetensorsFile::metadata(const std::string& key) const {
     const auto entry = metadata_.find(key);
     if (entry == metadata_.end())
-        fail(Status::bad_format, "%s: the metadata lack '%s'", source_.c_str(), shown_name(key).c_str());
+        fail(Status::bad_format, "%s: the metadata lack '%s'", source_.c_str(),
+             shown_name(key).c_str());
     return entry->second;
 }
 
@@ -254,26 +255,28 @@ const TensorView& SafetensorsFile::tensor(const std::string& name, DType dtype,
                                           const std::vector<std::int64_t>& shape) const {
     const auto entry = tensors_.find(name);
     if (entry == tensors_.end())
-        fail(Status::bad_format, "%s lacks the tensor '%s'", source_.c_str(), shown_name(name).c_str());
+        fail(Status::bad_format, "%s lacks the tensor '%s'", source_.c_str(),
+             shown_name(name).c_str());
     const TensorView& view = entry->second;
     if (view.dtype != dtype)
-        fail(Status::bad_format, "%s: tensor '%s' is %s, %s is needed", source_.c_str(), shown_name(name).c_str(),
-             dtype_name(view.dtype), dtype_name(dtype));
+        fail(Status::bad_format, "%s: tensor '%s' is %s, %s is needed", source_.c_str(),
+             shown_name(name).c_str(), dtype_name(view.dtype), dtype_name(dtype));
     if (view.shape.size() != shape.size())
         fail(Status::bad_format, "%s: tensor '%s' has %zu dimensions, %zu are needed",
              source_.c_str(), shown_name(name).c_str(), view.shape.size(), shape.size());
     for (std::size_t k = 0; k < shape.size(); ++k)
         if (shape[k] >= 0 && view.shape[k] != static_cast<std::uint64_t>(shape[k]))
             fail(Status::bad_format, "%s: tensor '%s': extent %zu is %llu, %lld is needed",
-                 source_.c_str(), shown_name(name).c_str(), k, static_cast<unsigned long long>(view.shape[k]),
-                 static_cast<long long>(shape[k]));
+                 source_.c_str(), shown_name(name).c_str(), k,
+                 static_cast<unsigned long long>(view.shape[k]), static_cast<long long>(shape[k]));
     return view;
 }
 
 void SafetensorsFile::require_kind(const char* kind, int known_major) const {
     const auto found = metadata_.find("kind");
     if (found == metadata_.end())
-        fail(Status::wrong_kind, "%s does not say what it is ('kind'); a %s is needed", source_.c_str(), kind);
+        fail(Status::wrong_kind, "%s does not say what it is ('kind'); a %s is needed",
+             source_.c_str(), kind);
     if (found->second != kind)
         fail(Status::wrong_kind, "%s is a '%s'; a %s is needed", source_.c_str(),
              shown_name(found->second).c_str(), kind);

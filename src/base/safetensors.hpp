@@ -26,7 +26,7 @@ struct TensorView {
 };
 
 struct SafetensorsReadOptions {
-    bool verify_hash = true;    ///< compare __metadata__.sha256 (when present) with the tensor bytes
+    bool verify_hash = true;  ///< compare __metadata__.sha256 (when present) with the tensor bytes
     bool verify_finite = true;  ///< every float tensor holds finite values only
 };
 
@@ -70,9 +70,9 @@ struct TensorToWrite {
     const void* data = nullptr;
 };
 
-/// Writes atomically, data on a 64-byte boundary, tensors in the order given (each 8-byte aligned by
-/// ordering wide dtypes first where needed), and adds "sha256" of the tensor bytes and
-/// "creator" (library version) to the metadata. Callers give "kind", "format" ("1.0"), "units".
+/// Writes atomically, data on a 64-byte boundary, tensors in the order given (each 8-byte aligned
+/// by ordering wide dtypes first where needed), and adds "sha256" of the tensor bytes and "creator"
+/// (library version) to the metadata. Callers give "kind", "format" ("1.0"), "units".
 void write_safetensors(const std::string& path, const std::vector<TensorToWrite>& tensors,
                        std::map<std::string, std::string> metadata, const Context& context);
 

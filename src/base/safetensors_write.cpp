@@ -21,12 +21,18 @@ constexpr std::uint64_t kDataAlignment = 64;
 
 const char* written_dtype(DType dtype) {
     switch (dtype) {
-        case DType::f32: return "F32";
-        case DType::f64: return "F64";
-        case DType::i32: return "I32";
-        case DType::u32: return "U32";
-        case DType::u8: return "U8";
-        case DType::i64: return "I64";
+        case DType::f32:
+            return "F32";
+        case DType::f64:
+            return "F64";
+        case DType::i32:
+            return "I32";
+        case DType::u32:
+            return "U32";
+        case DType::u8:
+            return "U8";
+        case DType::i64:
+            return "I64";
     }
     fail(Status::invalid_argument, "unknown dtype %d", static_cast<int>(dtype));
 }

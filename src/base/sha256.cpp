@@ -22,7 +22,9 @@ alignas(64) constexpr std::uint32_t kRound[64] = {
     0x19a4c116, 0x1e376c08, 0x2748774c, 0x34b0bcb5, 0x391c0cb3, 0x4ed8aa4a, 0x5b9cca4f, 0x682e6ff3,
     0x748f82ee, 0x78a5636f, 0x84c87814, 0x8cc70208, 0x90befffa, 0xa4506ceb, 0xbef9a3f7, 0xc67178f2};
 
-inline std::uint32_t rotated(std::uint32_t x, int n) { return (x >> n) | (x << (32 - n)); }
+inline std::uint32_t rotated(std::uint32_t x, int n) {
+    return (x >> n) | (x << (32 - n));
+}
 
 void compress_portable(std::uint32_t* state, const std::uint8_t* blocks, std::size_t count) {
     for (; count != 0; --count, blocks += 64) {
@@ -38,9 +40,9 @@ void compress_portable(std::uint32_t* state, const std::uint8_t* blocks, std::si
         std::uint32_t s[8];
         std::memcpy(s, state, sizeof s);
         for (int i = 0; i < 64; ++i) {
-            const std::uint32_t t1 =
-                s[7] + (rotated(s[4], 6) ^ rotated(s[4], 11) ^ rotated(s[4], 25)) +
-                ((s[4] & s[5]) ^ (~s[4] & s[6])) + kRound[i] + w[i];
+            const std::uint32_t t1 = s[7] +
+                                     (rotated(s[4], 6) ^ rotated(s[4], 11) ^ rotated(s[4], 25)) +
+                                     ((s[4] & s[5]) ^ (~s[4] & s[6])) + kRound[i] + w[i];
             const std::uint32_t t2 = (rotated(s[0], 2) ^ rotated(s[0], 13) ^ rotated(s[0], 22)) +
                                      ((s[0] & s[1]) ^ (s[0] & s[2]) ^ (s[1] & s[2]));
             for (int k = 7; k > 0; --k) s[k] = s[k - 1];
@@ -117,9 +119,8 @@ bool Sha256::uses_hardware() {
 }
 
 Sha256::Sha256(Compress compress)
-    : compress_(compress),
-      state_{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
-             0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19} {}
+    : compress_(compress), state_{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
+                                  0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19} {}
 
 Sha256::Sha256() : Sha256(compress_portable) {
 #if MIEN_SHA_X86
@@ -127,7 +128,9 @@ Sha256::Sha256() : Sha256(compress_portable) {
 #endif
 }
 
-Sha256 Sha256::portable() { return Sha256(compress_portable); }
+Sha256 Sha256::portable() {
+    return Sha256(compress_portable);
+}
 
 void Sha256::update(const void* data, std::size_t size) {
     if (size == 0) return;
@@ -156,7 +159,8 @@ std::string Sha256::hex_digest() {
     update(length, 8);
     std::string hex;
     for (std::uint32_t word : state_)
-        for (int shift = 28; shift >= 0; shift -= 4) hex += "0123456789abcdef"[(word >> shift) & 15];
+        for (int shift = 28; shift >= 0; shift -= 4)
+            hex += "0123456789abcdef"[(word >> shift) & 15];
     return hex;
 }
 

@@ -84,7 +84,9 @@ ThreadPool::ThreadPool(int num_threads) : state_(std::make_unique<State>()) {
     }
 }
 
-ThreadPool::~ThreadPool() { state_->stop(); }
+ThreadPool::~ThreadPool() {
+    state_->stop();
+}
 
 int ThreadPool::num_threads() const noexcept {
     return static_cast<int>(state_->workers.size()) + 1;

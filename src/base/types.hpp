@@ -1,8 +1,8 @@
 // The plain arrays that every room speaks: no room hands another one a half-edge structure.
 #pragma once
 
-#include <Eigen/Core>
 #include <cstdint>
+#include <Eigen/Core>
 
 namespace mien {
 
@@ -12,7 +12,8 @@ using Matrix = Eigen::MatrixXd;
 using Vector3 = Eigen::Vector3d;
 using Matrix3 = Eigen::Matrix3d;
 
-/// #V x 3, millimetres unless a name says otherwise; row-major so that a row is one contiguous point.
+/// #V x 3, millimetres unless a name says otherwise; row-major so that a row is one contiguous
+/// point.
 using Points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 /// #F x 3 vertex indices, counter-clockwise seen from outside.
 using Triangles = Eigen::Matrix<std::uint32_t, Eigen::Dynamic, 3, Eigen::RowMajor>;

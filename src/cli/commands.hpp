@@ -1,5 +1,5 @@
-// The `mien` command's parts. Each file of commands adds its own to the application. Everything here
-// stands on include/mien alone.
+// The `mien` command's parts. Each file of commands adds its own to the application. Everything
+// here stands on include/mien alone.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -37,11 +37,13 @@ struct NamedPoint {
 std::vector<NamedPoint> read_landmark_points(const std::string& path);
 /// Landmark files {"vertices": {name: index}} of a template.
 std::vector<std::pair<std::string, std::uint32_t>> read_landmark_vertices(const std::string& path);
-/// Zone files {"zones": {name: [vertex, ...]}}; `beside`: names of lists that may stand beside "zones" and are zones too.
-std::vector<std::pair<std::string, std::vector<std::uint32_t>>> read_zones(const std::string& path,
-                                                                             const std::vector<std::string>& beside = {});
+/// Zone files {"zones": {name: [vertex, ...]}}; `beside`: names of lists that may stand beside
+/// "zones" and are zones too.
+std::vector<std::pair<std::string, std::vector<std::uint32_t>>> read_zones(
+    const std::string& path, const std::vector<std::string>& beside = {});
 
-/// One weight per vertex: a plain list, or the list under a key, as `mien register --json` writes "weight".
+/// One weight per vertex: a plain list, or the list under a key, as `mien register --json` writes
+/// "weight".
 std::vector<double> read_weights(const std::string& path, const char* key);
 
 /// Vertices of some zones of a zone file, together; `names` are separated by commas.

@@ -26,17 +26,28 @@ bool stderr_is_terminal() {
 
 const char* stage_name(int stage) {
     switch (stage) {
-        case MIEN_STAGE_READING: return "reading";
-        case MIEN_STAGE_GEODESICS: return "geodesics";
-        case MIEN_STAGE_BASIS: return "basis";
-        case MIEN_STAGE_ALIGNMENT: return "alignment";
-        case MIEN_STAGE_FITTING: return "fitting";
-        case MIEN_STAGE_REFINING: return "refining";
-        case MIEN_STAGE_TRAINING: return "training";
-        case MIEN_STAGE_NEUTRALIZING: return "neutralizing";
-        case MIEN_STAGE_MEASURING: return "measuring";
-        case MIEN_STAGE_WRITING: return "writing";
-        default: return "working";
+        case MIEN_STAGE_READING:
+            return "reading";
+        case MIEN_STAGE_GEODESICS:
+            return "geodesics";
+        case MIEN_STAGE_BASIS:
+            return "basis";
+        case MIEN_STAGE_ALIGNMENT:
+            return "alignment";
+        case MIEN_STAGE_FITTING:
+            return "fitting";
+        case MIEN_STAGE_REFINING:
+            return "refining";
+        case MIEN_STAGE_TRAINING:
+            return "training";
+        case MIEN_STAGE_NEUTRALIZING:
+            return "neutralizing";
+        case MIEN_STAGE_MEASURING:
+            return "measuring";
+        case MIEN_STAGE_WRITING:
+            return "writing";
+        default:
+            return "working";
     }
 }
 
@@ -48,7 +59,8 @@ const nlohmann::json& section(const nlohmann::json& file, const std::string& pat
     return file[key];
 }
 
-std::uint32_t as_vertex(const nlohmann::json& value, const std::string& path, const std::string& name) {
+std::uint32_t as_vertex(const nlohmann::json& value, const std::string& path,
+                        const std::string& name) {
     if (!value.is_number_unsigned() || value.get<std::uint64_t>() > 0xFFFFFFFFu)
         throw std::runtime_error(path + ": '" + name + "' holds " + value.dump() +
                                  ", which is not a vertex number");
@@ -58,11 +70,13 @@ std::uint32_t as_vertex(const nlohmann::json& value, const std::string& path, co
 }  // namespace
 
 void add_common_options(CLI::App& command, Common& common, bool with_seed) {
-    command.add_option("--threads", common.num_threads, "threads to use; results do not depend on it")
+    command
+        .add_option("--threads", common.num_threads, "threads to use; results do not depend on it")
         ->check(CLI::Range(1, 256))
         ->capture_default_str();
     command.add_option("--json", common.json_path, "write a machine-readable report to this file");
-    if (with_seed) command.add_option("--seed", common.seed, "seed of all chance")->capture_default_str();
+    if (with_seed)
+        command.add_option("--seed", common.seed, "seed of all chance")->capture_default_str();
 }
 
 void write_report(const Common& common, const nlohmann::json& report) {
@@ -86,7 +100,9 @@ void write_file(const std::string& path, const std::string& content) {
     if (!out) throw std::runtime_error(path + ": cannot be written");
 }
 
-void write_png(const std::string& path, const Image& image) { write_file(path, encode_png(image)); }
+void write_png(const std::string& path, const Image& image) {
+    write_file(path, encode_png(image));
+}
 
 void write_json(const std::string& path, const nlohmann::json& value) {
     write_file(path, value.dump(2) + "\n");
@@ -96,8 +112,8 @@ std::vector<NamedPoint> read_landmark_points(const std::string& path) {
     const nlohmann::json file = read_json(path);
     std::vector<NamedPoint> points;
     for (const auto& [name, value] : section(file, path, "points", "{name: [x, y, z]}").items()) {
-        if (!value.is_array() || value.size() != 3 || !value[0].is_number() || !value[1].is_number() ||
-            !value[2].is_number())
+        if (!value.is_array() || value.size() != 3 || !value[0].is_number() ||
+            !value[1].is_number() || !value[2].is_number())
             throw std::runtime_error(path + ": landmark '" + name + "' is not [x, y, z]");
         points.push_back({name, {value[0], value[1], value[2]}});
     }
@@ -115,21 +131,24 @@ std::vector<std::pair<std::string, std::uint32_t>> read_landmark_vertices(const 
 std::vector<double> read_weights(const std::string& path, const char* key) {
     const nlohmann::json file = read_json(path);
     const nlohmann::json& list = file.is_object() && file.contains(key) ? file[key] : file;
-    if (!list.is_array()) throw std::runtime_error(path + ": expected [w, ...] or {\"" + key + "\": [w, ...]}");
+    if (!list.is_array())
+        throw std::runtime_error(path + ": expected [w, ...] or {\"" + key + "\": [w, ...]}");
     std::vector<double> weights;
     for (const nlohmann::json& value : list) {
-        if (!value.is_number()) throw std::runtime_error(path + ": " + value.dump() + " is not a weight");
+        if (!value.is_number())
+            throw std::runtime_error(path + ": " + value.dump() + " is not a weight");
         weights.push_back(value.get<double>());
     }
     return weights;
 }
 
-std::vector<std::pair<std::string, std::vector<std::uint32_t>>> read_zones(const std::string& path,
-                                                                             const std::vector<std::string>& beside) {
+std::vector<std::pair<std::string, std::vector<std::uint32_t>>> read_zones(
+    const std::string& path, const std::vector<std::string>& beside) {
     const nlohmann::json file = read_json(path);
     std::vector<std::pair<std::string, std::vector<std::uint32_t>>> zones;
     const auto add = [&](const std::string& name, const nlohmann::json& list) {
-        if (!list.is_array()) throw std::runtime_error(path + ": zone '" + name + "' is not a list");
+        if (!list.is_array())
+            throw std::runtime_error(path + ": zone '" + name + "' is not a list");
         std::vector<std::uint32_t> vertices;
         for (const nlohmann::json& value : list) vertices.push_back(as_vertex(value, path, name));
         zones.emplace_back(name, std::move(vertices));

@@ -29,7 +29,8 @@ CLI::IsMember one_of(const std::vector<std::pair<std::string, int>>& names) {
 
 struct NeutralizeSettings {
     Common common;
-    std::string model, in, out, fit = "mixture", pose = "auto", scan, scan_out, uncertainty_out, identity_out, weights;
+    std::string model, in, out, fit = "mixture", pose = "auto", scan, scan_out, uncertainty_out,
+                                identity_out, weights;
     std::string zones, changing;
     std::vector<std::string> with, with_weights, with_out;
     int sweeps = 200;
@@ -53,8 +54,9 @@ void run_series(const NeutralizeSettings& settings) {
     std::vector<double> weights;
     if (!settings.weights.empty() || !settings.with_weights.empty()) {
         if (settings.weights.empty() || settings.with_weights.size() != settings.with.size())
-            throw std::runtime_error("in a series every face has weights or none: give --weights, and --with-weights "
-                                     "for each face of --with");
+            throw std::runtime_error(
+                "in a series every face has weights or none: give --weights, and --with-weights "
+                "for each face of --with");
         weights = read_weights(settings.weights, "weight");
         for (const std::string& path : settings.with_weights) {
             const std::vector<double> more = read_weights(path, "weight");
@@ -71,7 +73,8 @@ void run_series(const NeutralizeSettings& settings) {
     for (std::size_t k = 0; k < faces.size(); ++k) {
         const nlohmann::json& face = report["faces"][k];
         const std::string& path = k == 0 ? settings.in : settings.with[k - 1];
-        std::printf("%s: %s, %.3f mm from the shared face\n", path.c_str(), face.value("expression", "fitted").c_str(),
+        std::printf("%s: %s, %.3f mm from the shared face\n", path.c_str(),
+                    face.value("expression", "fitted").c_str(),
                     face["distance_to_shared_mm"].get<double>());
         for (const nlohmann::json& warning : face["warnings"])
             std::printf("note: %s: %s\n", path.c_str(), warning.get<std::string>().c_str());
@@ -86,7 +89,8 @@ void run_neutralize(const NeutralizeSettings& settings) {
     if (settings.with_out.size() > settings.with.size())
         throw std::runtime_error("--with-out names more files than --with has faces");
     if (!settings.with.empty()) return run_series(settings);
-    if (!settings.changing.empty() || !settings.with_weights.empty() || !settings.identity_out.empty())
+    if (!settings.changing.empty() || !settings.with_weights.empty() ||
+        !settings.identity_out.empty())
         throw std::runtime_error("--changing, --with-weights and --identity-out go with --with");
     if (settings.scan.empty() != settings.scan_out.empty())
         throw CLI::RequiredError("--scan and --scan-out together");
@@ -135,8 +139,8 @@ void run_neutralize(const NeutralizeSettings& settings) {
 
 struct EvaluateSettings {
     Common common;
-    std::string model, data, against, fit = "mixture", against_fit = "alternating", zones, zone, stable,
-        picture;
+    std::string model, data, against, fit = "mixture", against_fit = "alternating", zones, zone,
+                                      stable, picture;
     int sweeps = 200, against_sweeps = 3;
 };
 
@@ -144,7 +148,8 @@ void print_row(const nlohmann::json& row, bool compared) {
     auto number = [](const nlohmann::json& value) {
         return value.is_number() ? value.get<double>() : std::nan("");
     };
-    std::printf("%-16.16s %5.2f (%4.2f) %5.2f (%4.2f)", row["expression"].get<std::string>().c_str(),
+    std::printf("%-16.16s %5.2f (%4.2f) %5.2f (%4.2f)",
+                row["expression"].get<std::string>().c_str(),
                 row["baseline"]["mean_mm"].get<double>(), row["baseline"]["sd_mm"].get<double>(),
                 row["result"]["mean_mm"].get<double>(), row["result"]["sd_mm"].get<double>());
     if (compared)
@@ -209,7 +214,8 @@ void run_evaluate(const EvaluateSettings& settings) {
 
 void add_neutralize(CLI::App& app) {
     auto settings = std::make_shared<NeutralizeSettings>();
-    CLI::App* neutralize = app.add_subcommand("neutralize", "take the expression off a fitted face");
+    CLI::App* neutralize =
+        app.add_subcommand("neutralize", "take the expression off a fitted face");
     neutralize->add_option("--model", settings->model, "expression model")
         ->required()
         ->check(CLI::ExistingFile);
@@ -223,25 +229,35 @@ void add_neutralize(CLI::App& app) {
     neutralize->add_option("--sweeps", settings->sweeps, "alternating: at most so many")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
-    neutralize->add_option("--pose", settings->pose, "where the face lies against the training faces")
+    neutralize
+        ->add_option("--pose", settings->pose, "where the face lies against the training faces")
         ->check(one_of(kPoses))
         ->capture_default_str();
-    neutralize->add_option("--weights", settings->weights,
-                           "registration report (mien register --json) or a list: how much each vertex counts")
+    neutralize
+        ->add_option(
+            "--weights", settings->weights,
+            "registration report (mien register --json) or a list: how much each vertex counts")
         ->check(CLI::ExistingFile);
     neutralize->add_option("--scan", settings->scan, "the scan that the face was fitted to")
         ->check(CLI::ExistingFile);
     neutralize->add_option("--scan-out", settings->scan_out, "the scan, neutralized");
     neutralize->add_option("--max-distance", settings->max_distance,
                            "scan vertices farther from the face move with their neighbourhood, mm");
-    neutralize->add_option("--with", settings->with, "more faces of the same person: one identity for all")
+    neutralize
+        ->add_option("--with", settings->with,
+                     "more faces of the same person: one identity for all")
         ->check(CLI::ExistingFile);
-    neutralize->add_option("--with-weights", settings->with_weights, "weights of these faces, in their order")
+    neutralize
+        ->add_option("--with-weights", settings->with_weights,
+                     "weights of these faces, in their order")
         ->check(CLI::ExistingFile);
-    neutralize->add_option("--with-out", settings->with_out, "neutral faces of these faces, in their order");
-    neutralize->add_option("--zones", settings->zones, "zone file, for --changing")->check(CLI::ExistingFile);
-    neutralize->add_option("--changing", settings->changing,
-                           "zones (comma between) where the person may change between the faces: a treated zone");
+    neutralize->add_option("--with-out", settings->with_out,
+                           "neutral faces of these faces, in their order");
+    neutralize->add_option("--zones", settings->zones, "zone file, for --changing")
+        ->check(CLI::ExistingFile);
+    neutralize->add_option(
+        "--changing", settings->changing,
+        "zones (comma between) where the person may change between the faces: a treated zone");
     neutralize->add_option("--identity-out", settings->identity_out,
                            "with --with: the person's shared neutral face");
     neutralize->add_option("--uncertainty-out", settings->uncertainty_out,
@@ -256,7 +272,8 @@ void add_evaluate(CLI::App& app) {
     auto settings = std::make_shared<EvaluateSettings>();
     CLI::App* group = app.add_subcommand("evaluate", "errors against known truth");
     group->require_subcommand(1);
-    CLI::App* evaluate = group->add_subcommand("neutralization", "errors of neutralization over a dataset");
+    CLI::App* evaluate =
+        group->add_subcommand("neutralization", "errors of neutralization over a dataset");
     evaluate->add_option("--model", settings->model, "expression model")
         ->required()
         ->check(CLI::ExistingFile);

@@ -44,7 +44,9 @@ void draw_line(Image& canvas, double x0, double y0, double x1, double y1, Rgb co
     if (!std::isfinite(x0 + y0 + x1 + y1)) return;
     const double reach = width / 2 + 1, dx = x1 - x0, dy = y1 - y0;
     const double length2 = std::max(dx * dx + dy * dy, 1e-12);
-    const auto low = [&](double a, double b) { return static_cast<int>(std::max(0.0, std::floor(std::min(a, b) - reach))); };
+    const auto low = [&](double a, double b) {
+        return static_cast<int>(std::max(0.0, std::floor(std::min(a, b) - reach)));
+    };
     const auto high = [&](double a, double b, int end) {
         return static_cast<int>(std::min<double>(end - 1, std::ceil(std::max(a, b) + reach)));
     };
@@ -58,7 +60,8 @@ void draw_line(Image& canvas, double x0, double y0, double x1, double y1, Rgb co
 
 void fill_box(Image& canvas, int x, int y, int width, int height, Rgb color) {
     for (int j = std::max(0, y); j < std::min(canvas.height, y + height); ++j)
-        for (int i = std::max(0, x); i < std::min(canvas.width, x + width); ++i) canvas.set(i, j, color);
+        for (int i = std::max(0, x); i < std::min(canvas.width, x + width); ++i)
+            canvas.set(i, j, color);
 }
 
 void draw_disc(Image& canvas, double x, double y, double radius, Rgb color) {
@@ -71,7 +74,8 @@ void draw_disc(Image& canvas, double x, double y, double radius, Rgb color) {
             canvas.blend(i, j, color, radius + 0.5 - std::hypot(i - x, j - y));
 }
 
-void draw_text(Image& canvas, int x, int y, const std::string& text, Rgb color, int scale, bool upward) {
+void draw_text(Image& canvas, int x, int y, const std::string& text, Rgb color, int scale,
+               bool upward) {
     static constexpr unsigned char kBox[5] = {0x7f, 0x41, 0x41, 0x41, 0x7f};
     int along = 0;
     for (const char character : text) {
@@ -82,8 +86,10 @@ void draw_text(Image& canvas, int x, int y, const std::string& text, Rgb color, 
             for (int j = 0; j < 7; ++j)
                 if (glyph[i] >> j & 1) {
                     const int u = along + i * scale, v = j * scale;
-                    if (upward) fill_box(canvas, x + v, y - u - scale + 1, scale, scale, color);
-                    else fill_box(canvas, x + u, y + v, scale, scale, color);
+                    if (upward)
+                        fill_box(canvas, x + v, y - u - scale + 1, scale, scale, color);
+                    else
+                        fill_box(canvas, x + u, y + v, scale, scale, color);
                 }
         along += 6 * scale;
     }
@@ -107,7 +113,8 @@ std::vector<double> round_ticks(double low, double high, int count) {
             break;
         }
     const double slack = 1e-9 * step;
-    for (double k = std::ceil((low - slack) / step); k * step <= high + slack && ticks.size() < 100; ++k)
+    for (double k = std::ceil((low - slack) / step); k * step <= high + slack && ticks.size() < 100;
+         ++k)
         ticks.push_back(k * step);
     return ticks;
 }

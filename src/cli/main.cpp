@@ -1,5 +1,5 @@
-// mien: everything the library does, without writing code. Exit status: 0 done, 1 failed (one line on
-// stderr: what, where, what to do), 2 wrong usage.
+// mien: everything the library does, without writing code. Exit status: 0 done, 1 failed (one line
+// on stderr: what, where, what to do), 2 wrong usage.
 #include <cstdio>
 
 #include "commands.hpp"

@@ -1,4 +1,5 @@
-// mien measure volume|area|distance|curvature|length: faces in, numbers per zone out, as a table and as JSON.
+// mien measure volume|area|distance|curvature|length: faces in, numbers per zone out, as a table
+// and as JSON.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -22,7 +23,8 @@ struct MeasureSettings {
 std::vector<MeasureZone> zones_of(const std::string& path) {
     std::vector<MeasureZone> zones;
     if (!path.empty())
-        for (auto& [name, vertices] : read_zones(path)) zones.push_back({name, std::move(vertices)});
+        for (auto& [name, vertices] : read_zones(path))
+            zones.push_back({name, std::move(vertices)});
     return zones;
 }
 
@@ -68,7 +70,8 @@ void print_volumes(const Measurement& result, const std::vector<MeasureZone>& zo
     print_volume_row("whole", result.zone_volume(MIEN_ZONE_WHOLE));
 }
 
-/// Two surfaces that no template joins, two scans: aligned on a zone of the first where asked, then measured.
+/// Two surfaces that no template joins, two scans: aligned on a zone of the first where asked, then
+/// measured.
 void run_scan_volume(const MeasureSettings& settings) {
     if (settings.carry == "direction" && settings.direction.size() != 3)
         throw CLI::RequiredError("--direction (three numbers) with --surfaces direction");
@@ -82,7 +85,8 @@ void run_scan_volume(const MeasureSettings& settings) {
         for (const MeasureZone& zone : options.zones)
             if (zone.name == settings.stable) stable = zone.vertices;
         if (stable.empty())
-            throw std::runtime_error(settings.zones + ": has no zone '" + settings.stable + "' to align on");
+            throw std::runtime_error(settings.zones + ": has no zone '" + settings.stable +
+                                     "' to align on");
         mien_zone_alignment info{};
         after = align_on_zone(session, after, before, stable, &info);
         alignment = {{"zone", settings.stable}, {"rms_mm", info.rms_mm}, {"matrix", info.matrix}};
@@ -91,9 +95,11 @@ void run_scan_volume(const MeasureSettings& settings) {
                                : settings.carry == "normal"  ? MIEN_CARRY_VERTEX_NORMAL
                                                              : MIEN_CARRY_CLOSEST_POINT;
     Position direction{{0, 0, 1}};
-    if (settings.direction.size() == 3) direction = {{settings.direction[0], settings.direction[1], settings.direction[2]}};
+    if (settings.direction.size() == 3)
+        direction = {{settings.direction[0], settings.direction[1], settings.direction[2]}};
     double coverage = 0;
-    const Measurement result = Measurement::scan_volume(session, before, after, carry, direction, options, &coverage);
+    const Measurement result =
+        Measurement::scan_volume(session, before, after, carry, direction, options, &coverage);
     print_volumes(result, options.zones);
     std::printf("%.1f %% of the first surface has something opposite it\n", 100 * coverage);
     nlohmann::json report = nlohmann::json::parse(result.json());
@@ -110,7 +116,8 @@ void run_volume(const MeasureSettings& settings) {
     const Session session(settings.common.num_threads);
     const Mesh before(session, settings.before), after(session, settings.after);
     MeasureOptions options = options_of(settings);
-    if (settings.sd_before > 0) options.before_sd_mm.assign(before.vertex_count(), settings.sd_before);
+    if (settings.sd_before > 0)
+        options.before_sd_mm.assign(before.vertex_count(), settings.sd_before);
     if (settings.sd_after > 0) options.after_sd_mm.assign(before.vertex_count(), settings.sd_after);
     const Measurement result = Measurement::volume(session, before, after, options);
     print_volumes(result, options.zones);
@@ -127,12 +134,13 @@ void run_distance(const MeasureSettings& settings) {
     const Measurement result = settings.surfaces
                                    ? Measurement::surface_distance(session, before, after, options)
                                    : Measurement::distance(session, before, after, options);
-    std::printf("%-16s %8s %8s %8s %8s %8s %8s   mm\n", "zone", "signed", "absolute", "rms", "median",
-                "95 %", "max");
+    std::printf("%-16s %8s %8s %8s %8s %8s %8s   mm\n", "zone", "signed", "absolute", "rms",
+                "median", "95 %", "max");
     auto row = [&](const std::string& name, std::int32_t zone) {
         const mien_zone_distance d = result.zone_distance(zone);
-        std::printf("%-16.16s %8.3f %8.3f %8.3f %8.3f %8.3f %8.3f\n", name.c_str(), d.mean_signed_mm,
-                    d.mean_absolute_mm, d.rms_mm, d.median_length_mm, d.p95_length_mm, d.max_length_mm);
+        std::printf("%-16.16s %8.3f %8.3f %8.3f %8.3f %8.3f %8.3f\n", name.c_str(),
+                    d.mean_signed_mm, d.mean_absolute_mm, d.rms_mm, d.median_length_mm,
+                    d.p95_length_mm, d.max_length_mm);
     };
     for (std::size_t z = 0; z < result.zone_count(); ++z)
         row(options.zones[z].name, static_cast<std::int32_t>(z));
@@ -149,7 +157,8 @@ void run_distance(const MeasureSettings& settings) {
 nlohmann::json areas_of(const Session& session, const MeasureSettings& settings, const Mesh& mesh) {
     nlohmann::json areas{{"area_mm2", area_mm2(session, mesh)}, {"zones", nlohmann::json::array()}};
     for (const MeasureZone& zone : zones_of(settings.zones))
-        areas["zones"].push_back({{"name", zone.name}, {"area_mm2", area_mm2(session, mesh, zone)}});
+        areas["zones"].push_back(
+            {{"name", zone.name}, {"area_mm2", area_mm2(session, mesh, zone)}});
     if (settings.closed || settings.close_rims)
         areas["closed_volume_ml"] = closed_volume_ml(session, mesh, settings.close_rims);
     return areas;
@@ -164,7 +173,8 @@ void run_area_change(const MeasureSettings& settings) {
         std::printf("%-16.16s %12.2f %12.2f %9.2f%%\n", name.c_str(), a, b, 100 * (b - a) / a);
     };
     for (std::size_t z = 0; z < before["zones"].size(); ++z)
-        row(before["zones"][z]["name"], before["zones"][z]["area_mm2"], after["zones"][z]["area_mm2"]);
+        row(before["zones"][z]["name"], before["zones"][z]["area_mm2"],
+            after["zones"][z]["area_mm2"]);
     row("whole", before["area_mm2"], after["area_mm2"]);
     before["mesh"] = settings.before;
     after["mesh"] = settings.after;
@@ -190,22 +200,25 @@ void run_area(const MeasureSettings& settings) {
 void run_curvature(const MeasureSettings& settings) {
     const Session session(settings.common.num_threads);
     const Mesh mesh(session, settings.mesh);
-    const Measurement result =
-        Measurement::curvature(session, mesh, settings.radius, !settings.not_robust, options_of(settings));
+    const Measurement result = Measurement::curvature(session, mesh, settings.radius,
+                                                      !settings.not_robust, options_of(settings));
     nlohmann::json report = nlohmann::json::parse(result.json());
-    std::printf("%-16s %10s %10s %10s %12s\n", "zone", "mean 1/mm", "k1 1/mm", "k2 1/mm", "Gauss 1/mm^2");
+    std::printf("%-16s %10s %10s %10s %12s\n", "zone", "mean 1/mm", "k1 1/mm", "k2 1/mm",
+                "Gauss 1/mm^2");
     const auto row = [](const nlohmann::json& zone) {
-        std::printf("%-16.16s %10.5f %10.5f %10.5f %12.7f\n", zone["name"].get<std::string>().c_str(),
-                    zone["mean_mean_per_mm"].get<double>(), zone["mean_maximal_per_mm"].get<double>(),
-                    zone["mean_minimal_per_mm"].get<double>(), zone["mean_gaussian_per_mm2"].get<double>());
+        std::printf(
+            "%-16.16s %10.5f %10.5f %10.5f %12.7f\n", zone["name"].get<std::string>().c_str(),
+            zone["mean_mean_per_mm"].get<double>(), zone["mean_maximal_per_mm"].get<double>(),
+            zone["mean_minimal_per_mm"].get<double>(), zone["mean_gaussian_per_mm2"].get<double>());
     };
     for (const nlohmann::json& zone : report["curvature"]["zones"]) row(zone);
     row(report["curvature"]["whole"]);
     if (!settings.field_path.empty())
-        write_field(settings.field_path, result.field(settings.field == "maximal"    ? MIEN_FIELD_CURVATURE_MAXIMAL
-                                                      : settings.field == "minimal"  ? MIEN_FIELD_CURVATURE_MINIMAL
-                                                      : settings.field == "gaussian" ? MIEN_FIELD_CURVATURE_GAUSSIAN
-                                                                                     : MIEN_FIELD_CURVATURE_MEAN));
+        write_field(settings.field_path,
+                    result.field(settings.field == "maximal"    ? MIEN_FIELD_CURVATURE_MAXIMAL
+                                 : settings.field == "minimal"  ? MIEN_FIELD_CURVATURE_MINIMAL
+                                 : settings.field == "gaussian" ? MIEN_FIELD_CURVATURE_GAUSSIAN
+                                                                : MIEN_FIELD_CURVATURE_MEAN));
     report["mesh"] = settings.mesh;
     report["radius_mm"] = settings.radius;
     write_report(settings.common, report);
@@ -215,33 +228,44 @@ void run_curvature(const MeasureSettings& settings) {
 void run_length(const MeasureSettings& settings) {
     if (settings.between.size() % 2 != 0)
         throw CLI::ValidationError("--between", "names come in pairs: A,B or A,B,C,D");
-    const std::vector<std::pair<std::string, std::uint32_t>> marks = read_landmark_vertices(settings.landmarks);
+    const std::vector<std::pair<std::string, std::uint32_t>> marks =
+        read_landmark_vertices(settings.landmarks);
     std::vector<std::array<std::uint32_t, 2>> pairs;
     for (std::size_t k = 0; k < settings.between.size(); ++k) {
-        const auto found = std::find_if(marks.begin(), marks.end(),
-                                        [&](const auto& mark) { return mark.first == settings.between[k]; });
+        const auto found = std::find_if(marks.begin(), marks.end(), [&](const auto& mark) {
+            return mark.first == settings.between[k];
+        });
         if (found == marks.end())
-            throw std::runtime_error(settings.landmarks + ": has no landmark '" + settings.between[k] + "'");
-        if (k % 2 == 0) pairs.push_back({found->second, 0});
-        else pairs.back()[1] = found->second;
+            throw std::runtime_error(settings.landmarks + ": has no landmark '" +
+                                     settings.between[k] + "'");
+        if (k % 2 == 0)
+            pairs.push_back({found->second, 0});
+        else
+            pairs.back()[1] = found->second;
     }
     const Session session(settings.common.num_threads);
     const PlaceLengths lengths = lengths_mm(session, Mesh(session, settings.mesh), pairs);
-    nlohmann::json report{{"mesh", settings.mesh}, {"unit", "mm"}, {"lengths", nlohmann::json::array()}};
+    nlohmann::json report{
+        {"mesh", settings.mesh}, {"unit", "mm"}, {"lengths", nlohmann::json::array()}};
     std::printf("%-34s %10s %10s   mm\n", "", "straight", "geodesic");
     for (std::size_t k = 0; k < pairs.size(); ++k) {
         const std::string &from = settings.between[2 * k], &to = settings.between[2 * k + 1];
         const bool joined = std::isfinite(lengths.geodesic_mm[k]);
         std::printf("%-34.34s %10.3f %10s\n", (from + " to " + to).c_str(), lengths.straight_mm[k],
                     joined ? std::to_string(lengths.geodesic_mm[k]).c_str() : "none");
-        report["lengths"].push_back({{"from", from}, {"to", to}, {"straight_mm", lengths.straight_mm[k]},
-                                     {"geodesic_mm", joined ? nlohmann::json(lengths.geodesic_mm[k]) : nlohmann::json()}});
+        report["lengths"].push_back(
+            {{"from", from},
+             {"to", to},
+             {"straight_mm", lengths.straight_mm[k]},
+             {"geodesic_mm", joined ? nlohmann::json(lengths.geodesic_mm[k]) : nlohmann::json()}});
     }
     write_report(settings.common, report);
 }
 
 void add_pair(CLI::App& command, MeasureSettings& settings) {
-    command.add_option("--before", settings.before, "first face")->required()->check(CLI::ExistingFile);
+    command.add_option("--before", settings.before, "first face")
+        ->required()
+        ->check(CLI::ExistingFile);
     command.add_option("--after", settings.after, "second face, in the frame of the first")
         ->required()
         ->check(CLI::ExistingFile);
@@ -256,66 +280,93 @@ void add_measure_commands(CLI::App& app) {
     measure->require_subcommand(1);
 
     auto settings = std::make_shared<MeasureSettings>();
-    CLI::App* volume = measure->add_subcommand("volume", "volume between two faces in correspondence");
+    CLI::App* volume =
+        measure->add_subcommand("volume", "volume between two faces in correspondence");
     add_pair(*volume, *settings);
     volume->add_option("--sd-before", settings->sd_before, "deviation of the first surface, mm");
     volume->add_option("--sd-after", settings->sd_after, "deviation of the second surface, mm");
-    volume->add_option("--correlation", settings->correlation, "length over which errors go together, mm")
+    volume
+        ->add_option("--correlation", settings->correlation,
+                     "length over which errors go together, mm")
         ->capture_default_str();
     volume->add_option("--bias", settings->bias, "error common to all vertices, mm");
     volume->add_option("--limit-of-detection", settings->limit, "mL; smaller changes are marked");
-    volume->add_option("--surfaces", settings->carry,
-                       "the faces are not in correspondence: carry the first onto the second by this")
+    volume
+        ->add_option("--surfaces", settings->carry,
+                     "the faces are not in correspondence: carry the first onto the second by this")
         ->check(CLI::IsMember({"closest", "normal", "direction"}));
-    volume->add_option("--direction", settings->direction, "with --surfaces direction: x y z")->expected(3);
+    volume->add_option("--direction", settings->direction, "with --surfaces direction: x y z")
+        ->expected(3);
     volume->add_option("--stable", settings->stable,
                        "with --surfaces: first align the second face on this zone of the first");
-    volume->add_option("--max-distance", settings->max_distance, "with --surfaces: farther places count for nothing, mm; default 20");
+    volume->add_option("--max-distance", settings->max_distance,
+                       "with --surfaces: farther places count for nothing, mm; default 20");
     add_common_options(*volume, settings->common);
-    volume->footer("Example: mien measure volume --before before.ply --after after.ply --zones zones.json");
+    volume->footer(
+        "Example: mien measure volume --before before.ply --after after.ply --zones zones.json");
     volume->callback([settings] { run_volume(*settings); });
 
     CLI::App* distance = measure->add_subcommand("distance", "distances between two faces");
     add_pair(*distance, *settings);
     distance->add_flag("--surfaces", settings->surfaces,
                        "the faces are not in correspondence: closest place on the second surface");
-    distance->add_option("--max-distance", settings->max_distance, "with --surfaces: ignore farther ones, mm");
+    distance->add_option("--max-distance", settings->max_distance,
+                         "with --surfaces: ignore farther ones, mm");
     distance->add_flag("--keep-borders", settings->keep_borders,
                        "with --surfaces: count places beyond the second surface's border");
-    distance->add_option("--field", settings->field_path, "write the signed distance of each vertex");
+    distance->add_option("--field", settings->field_path,
+                         "write the signed distance of each vertex");
     add_common_options(*distance, settings->common);
-    distance->footer("Example: mien measure distance --before fitted.ply --after scan.ply --surfaces");
+    distance->footer(
+        "Example: mien measure distance --before fitted.ply --after scan.ply --surfaces");
     distance->callback([settings] { run_distance(*settings); });
 
-    CLI::App* area = measure->add_subcommand("area", "surface area, and the volume a mesh encloses");
+    CLI::App* area =
+        measure->add_subcommand("area", "surface area, and the volume a mesh encloses");
     area->add_option("mesh", settings->mesh, "mesh file")->check(CLI::ExistingFile);
-    area->add_option("--before", settings->before, "instead of a mesh: first face")->check(CLI::ExistingFile);
+    area->add_option("--before", settings->before, "instead of a mesh: first face")
+        ->check(CLI::ExistingFile);
     area->add_option("--after", settings->after, "and second face")->check(CLI::ExistingFile);
     area->add_option("--zones", settings->zones, "zone file")->check(CLI::ExistingFile);
-    area->add_flag("--closed", settings->closed, "also the enclosed volume; an open mesh is an error");
+    area->add_flag("--closed", settings->closed,
+                   "also the enclosed volume; an open mesh is an error");
     area->add_flag("--close-rims", settings->close_rims, "the same, closing open rims by fans");
     add_common_options(*area, settings->common);
     area->footer("Example: mien measure area face.ply --zones zones.json");
     area->callback([settings] { run_area(*settings); });
 
-    CLI::App* curvature = measure->add_subcommand("curvature", "mean, Gaussian and principal curvatures");
-    curvature->add_option("mesh", settings->mesh, "mesh file")->required()->check(CLI::ExistingFile);
+    CLI::App* curvature =
+        measure->add_subcommand("curvature", "mean, Gaussian and principal curvatures");
+    curvature->add_option("mesh", settings->mesh, "mesh file")
+        ->required()
+        ->check(CLI::ExistingFile);
     curvature->add_option("--zones", settings->zones, "zone file")->check(CLI::ExistingFile);
     curvature->add_option("--radius", settings->radius, "of the fits, mm")->capture_default_str();
     curvature->add_flag("--no-robust", settings->not_robust, "keep spikes in the fits");
     curvature->add_option("--field", settings->field_path, "write one value per vertex");
     curvature->add_option("--what", settings->field, "which one")
-        ->check(CLI::IsMember({"mean", "gaussian", "maximal", "minimal"}))->capture_default_str();
+        ->check(CLI::IsMember({"mean", "gaussian", "maximal", "minimal"}))
+        ->capture_default_str();
     add_common_options(*curvature, settings->common);
-    curvature->footer("Example: mien measure curvature fitted.ply --zones zones.json --field mean.txt");
+    curvature->footer(
+        "Example: mien measure curvature fitted.ply --zones zones.json --field mean.txt");
     curvature->callback([settings] { run_curvature(*settings); });
 
-    CLI::App* length = measure->add_subcommand("length", "lengths between landmarks, straight and along the skin");
-    length->add_option("mesh", settings->mesh, "mesh in the template's topology")->required()->check(CLI::ExistingFile);
-    length->add_option("--landmarks", settings->landmarks, "{\"vertices\": {name: index}}")->required()->check(CLI::ExistingFile);
-    length->add_option("--between", settings->between, "pairs of names: A,B or A,B,C,D")->required()->delimiter(',');
+    CLI::App* length =
+        measure->add_subcommand("length", "lengths between landmarks, straight and along the skin");
+    length->add_option("mesh", settings->mesh, "mesh in the template's topology")
+        ->required()
+        ->check(CLI::ExistingFile);
+    length->add_option("--landmarks", settings->landmarks, "{\"vertices\": {name: index}}")
+        ->required()
+        ->check(CLI::ExistingFile);
+    length->add_option("--between", settings->between, "pairs of names: A,B or A,B,C,D")
+        ->required()
+        ->delimiter(',');
     add_common_options(*length, settings->common);
-    length->footer("Example: mien measure length fitted.ply --landmarks landmarks.json --between pronasale,gnathion");
+    length->footer(
+        "Example: mien measure length fitted.ply --landmarks landmarks.json --between "
+        "pronasale,gnathion");
     length->callback([settings] { run_length(*settings); });
 }
 

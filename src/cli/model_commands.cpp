@@ -13,8 +13,10 @@ namespace {
 
 const std::map<std::string, std::int32_t>& kernels() {
     static const std::map<std::string, std::int32_t> names{
-        {"geodesic-se", MIEN_KERNEL_GEODESIC_SE}, {"euclidean-se", MIEN_KERNEL_EUCLIDEAN_SE},
-        {"bspline", MIEN_KERNEL_BSPLINE},         {"surface-matern", MIEN_KERNEL_SURFACE_MATERN},
+        {"geodesic-se", MIEN_KERNEL_GEODESIC_SE},
+        {"euclidean-se", MIEN_KERNEL_EUCLIDEAN_SE},
+        {"bspline", MIEN_KERNEL_BSPLINE},
+        {"surface-matern", MIEN_KERNEL_SURFACE_MATERN},
         {"none", MIEN_KERNEL_NONE}};
     return names;
 }
@@ -39,21 +41,24 @@ mien_kernel parse_kernel(const std::string& text) {
     const auto kind = kernels().find(text.substr(0, first));
     mien_kernel kernel{0, 0, 0.0, 1.0, 2.0};
     try {
-        if (kind == kernels().end() || kind->second == MIEN_KERNEL_NONE || first == std::string::npos)
+        if (kind == kernels().end() || kind->second == MIEN_KERNEL_NONE ||
+            first == std::string::npos)
             throw std::invalid_argument("");
         kernel.kind = kind->second;
         kernel.sigma_mm = std::stod(text.substr(first + 1, second - first - 1));
         if (second != std::string::npos) kernel.scale_mm = std::stod(text.substr(second + 1));
     } catch (const std::exception&) {
-        throw std::runtime_error("--add-kernel " + text + ": expected KERNEL:SIGMA[:SCALE], for example "
-                                                          "geodesic-se:40:0.5");
+        throw std::runtime_error("--add-kernel " + text +
+                                 ": expected KERNEL:SIGMA[:SCALE], for example "
+                                 "geodesic-se:40:0.5");
     }
     return kernel;
 }
 
 struct BuildSettings {
     Common common;
-    std::string template_path, kernel = "geodesic-se", boundary = "neumann", landmarks, zones, scales, out;
+    std::string template_path, kernel = "geodesic-se", boundary = "neumann", landmarks, zones,
+                               scales, out;
     std::vector<std::string> more_kernels;
     ModelSettings model;
 };
@@ -61,7 +66,8 @@ struct BuildSettings {
 /// One number per line, as `mien measure --field` writes them.
 std::vector<double> read_values(const std::string& path) {
     const nlohmann::json file = read_json(path);
-    if (!file.is_array()) throw std::runtime_error(path + ": expected a list of one number per vertex");
+    if (!file.is_array())
+        throw std::runtime_error(path + ": expected a list of one number per vertex");
     return file.get<std::vector<double>>();
 }
 
@@ -80,7 +86,8 @@ void print_info(const nlohmann::json& info) {
                 info["deformation_modes"].get<int>(), info["scalar_modes"].get<int>(),
                 info["pca_modes"].get<int>());
     std::printf("variance explained  %s\n", text("variance_explained").c_str());
-    std::printf("largest error       %s of the variance at one vertex\n", text("max_variance_error").c_str());
+    std::printf("largest error       %s of the variance at one vertex\n",
+                text("max_variance_error").c_str());
     std::printf("clipped             %s of the spectral mass, %s negative eigenvalues\n",
                 text("negative_mass").c_str(), text("negative_eigenvalues").c_str());
 }
@@ -91,7 +98,8 @@ void run_build(BuildSettings& settings) {
     ModelSettings& model = settings.model;
     model.kernel = kernels().at(settings.kernel);
     model.heat_boundary = boundaries().at(settings.boundary);
-    for (const std::string& text : settings.more_kernels) model.more_kernels.push_back(parse_kernel(text));
+    for (const std::string& text : settings.more_kernels)
+        model.more_kernels.push_back(parse_kernel(text));
     if (!settings.landmarks.empty())
         for (auto& [name, vertex] : read_landmark_vertices(settings.landmarks))
             model.landmarks.push_back({name, vertex});
@@ -104,7 +112,8 @@ void run_build(BuildSettings& settings) {
     built.save(session, settings.out);
     const nlohmann::json info = nlohmann::json::parse(built.json());
     if (model.kernel != MIEN_KERNEL_NONE && info["deformation_modes"].get<int>() < model.num_modes)
-        std::printf("note: %d of %d modes; %s\n", info["deformation_modes"].get<int>(), model.num_modes,
+        std::printf("note: %d of %d modes; %s\n", info["deformation_modes"].get<int>(),
+                    model.num_modes,
                     model.num_modes % 3 != 0 ? "three deformation modes make one scalar mode"
                                              : "the kernel has no more variance to give");
     print_info(info);
@@ -113,46 +122,61 @@ void run_build(BuildSettings& settings) {
 
 void add_build(CLI::App& parent) {
     auto settings = std::make_shared<BuildSettings>();
-    CLI::App& command = *parent.add_subcommand("build", "build a deformation model from a template");
+    CLI::App& command =
+        *parent.add_subcommand("build", "build a deformation model from a template");
     ModelSettings& model = settings->model;
     command.add_option("--template", settings->template_path, "template mesh")->required();
     command.add_option("--kernel", settings->kernel, "what makes two vertices move alike")
         ->check(CLI::IsMember(keys(kernels())))
         ->capture_default_str();
-    command.add_option("--sigma", model.sigma_mm, "length scale of the kernel, mm")->capture_default_str();
+    command.add_option("--sigma", model.sigma_mm, "length scale of the kernel, mm")
+        ->capture_default_str();
     command.add_option("--scale", model.scale_mm, "deviation of a displacement's coordinate, mm")
         ->capture_default_str();
     command.add_option("--nu", model.nu, "smoothness of surface-matern")->capture_default_str();
-    command.add_option("--levels", model.levels, "sum of kernels with sigma, 2 sigma, 4 sigma, ...")
+    command
+        .add_option("--levels", model.levels, "sum of kernels with sigma, 2 sigma, 4 sigma, ...")
         ->capture_default_str();
-    command.add_option("--add-kernel", settings->more_kernels, "another summand: KERNEL:SIGMA[:SCALE]");
-    command.add_option("--modes", model.num_modes, "deformation modes at most, three per scalar mode")
+    command.add_option("--add-kernel", settings->more_kernels,
+                       "another summand: KERNEL:SIGMA[:SCALE]");
+    command
+        .add_option("--modes", model.num_modes, "deformation modes at most, three per scalar mode")
         ->capture_default_str();
-    command.add_option("--tolerance", model.tolerance, "stop once this share of the variance is left");
-    command.add_option("--control-points", model.num_control_points, "0: as many as modes, at least 1000");
+    command.add_option("--tolerance", model.tolerance,
+                       "stop once this share of the variance is left");
+    command.add_option("--control-points", model.num_control_points,
+                       "0: as many as modes, at least 1000");
     command.add_flag("--mirror", model.mirror_symmetric, "modes even or odd about the plane x = 0");
     command.add_option("--mirror-correlation", model.mirror_correlation,
                        "how much both sides are expected to move alike, 0 to 1 (with --mirror)");
-    command.add_option("--scale-per-vertex", settings->scales, "JSON list of one factor per vertex");
+    command.add_option("--scale-per-vertex", settings->scales,
+                       "JSON list of one factor per vertex");
     command.add_option("--boundary", settings->boundary, "heat at borders of the template")
         ->check(CLI::IsMember(keys(boundaries())))
         ->capture_default_str();
-    command.add_option("--landmarks", settings->landmarks, "landmark vertices of the template, JSON");
-    command.add_option("--zones", settings->zones, "zones of the template, JSON {\"zones\": {name: [vertex, ...]}}, perhaps with \"lips\": [vertex, ...] beside them");
-    // A scan may show any expression, and a fit needs the small modes too: so all faces, and nearly all variance.
+    command.add_option("--landmarks", settings->landmarks,
+                       "landmark vertices of the template, JSON");
+    command.add_option("--zones", settings->zones,
+                       "zones of the template, JSON {\"zones\": {name: [vertex, ...]}}, perhaps "
+                       "with \"lips\": [vertex, ...] beside them");
+    // A scan may show any expression, and a fit needs the small modes too: so all faces, and nearly
+    // all variance.
     model.pca_all_expressions = true;
     model.pca_variance = 0.999;
-    command.add_option("--pca", model.pca_dataset, "dataset of registered faces: adds their mean and modes");
+    command.add_option("--pca", model.pca_dataset,
+                       "dataset of registered faces: adds their mean and modes");
     command.add_option("--pca-modes", model.pca_modes, "0: as many as --pca-variance asks for");
     command.add_option("--pca-variance", model.pca_variance, "share of the faces' variance kept")
         ->capture_default_str();
     command.add_flag("--pca-all,!--pca-neutral", model.pca_all_expressions,
                      "all faces (the default), or the neutral ones alone");
-    command.add_flag("--pca-align", model.pca_align, "move each face rigidly onto the template first");
+    command.add_flag("--pca-align", model.pca_align,
+                     "move each face rigidly onto the template first");
     command.add_option("--out", settings->out, "model file to write")->required();
     add_common_options(command, settings->common, true);
-    command.footer("Example: mien model build --template face.ply --kernel geodesic-se --sigma 20 --modes 999 "
-                   "--out face.safetensors");
+    command.footer(
+        "Example: mien model build --template face.ply --kernel geodesic-se --sigma 20 --modes 999 "
+        "--out face.safetensors");
     command.callback([settings] { run_build(*settings); });
 }
 
@@ -191,27 +215,36 @@ void run_sample(const SampleSettings& settings) {
         char name[40];
         std::snprintf(name, sizeof name, "sample_%03d.", k);
         const std::string path = settings.out_dir + "/" + name + settings.format;
-        model.sample(session, settings.common.seed, static_cast<std::uint64_t>(k), settings.strength)
+        model
+            .sample(session, settings.common.seed, static_cast<std::uint64_t>(k), settings.strength)
             .save(session, path);
         files.push_back(path);
     }
     std::printf("%d faces in %s\n", settings.count, settings.out_dir.c_str());
-    write_report(settings.common, {{"seed", settings.common.seed}, {"strength", settings.strength}, {"files", files}});
+    write_report(
+        settings.common,
+        {{"seed", settings.common.seed}, {"strength", settings.strength}, {"files", files}});
 }
 
 void add_sample(CLI::App& parent) {
     auto settings = std::make_shared<SampleSettings>();
     CLI::App& command = *parent.add_subcommand("sample", "write random faces of a model");
     command.add_option("model", settings->path, "model file")->required();
-    command.add_option("--count", settings->count, "faces")->check(CLI::Range(1, 1000000))->capture_default_str();
-    command.add_option("--strength", settings->strength, "in units of the prior's deviation; 0: the mean")
+    command.add_option("--count", settings->count, "faces")
+        ->check(CLI::Range(1, 1000000))
+        ->capture_default_str();
+    command
+        .add_option("--strength", settings->strength,
+                    "in units of the prior's deviation; 0: the mean")
         ->capture_default_str();
     command.add_option("--format", settings->format, "of the mesh files")
         ->check(CLI::IsMember({"ply", "obj", "stl", "off"}))
         ->capture_default_str();
-    command.add_option("--out-dir", settings->out_dir, "folder for sample_000.ply, ...")->required();
+    command.add_option("--out-dir", settings->out_dir, "folder for sample_000.ply, ...")
+        ->required();
     add_common_options(command, settings->common, true);
-    command.footer("Example: mien model sample face.safetensors --count 5 --seed 1 --out-dir samples");
+    command.footer(
+        "Example: mien model sample face.safetensors --count 5 --seed 1 --out-dir samples");
     command.callback([settings] { run_sample(*settings); });
 }
 
@@ -237,10 +270,12 @@ std::vector<double> parse_sigmas(const std::string& text) {
                 throw std::invalid_argument("");
             const double first = values[0], last = values[1], step = values[2];
             values.clear();
-            for (int k = 0; first + k * step <= last + 1e-9 * step; ++k) values.push_back(first + k * step);
+            for (int k = 0; first + k * step <= last + 1e-9 * step; ++k)
+                values.push_back(first + k * step);
         }
     } catch (const std::exception&) {
-        throw std::runtime_error("--sigma " + text + ": expected A:B:STEP or a list A,B,C of millimetres");
+        throw std::runtime_error("--sigma " + text +
+                                 ": expected A:B:STEP or a list A,B,C of millimetres");
     }
     return values;
 }
@@ -278,27 +313,38 @@ void run_tune(TuneCommand& settings) {
 
 void add_tune(CLI::App& parent) {
     auto settings = std::make_shared<TuneCommand>();
-    CLI::App& command = *parent.add_subcommand("tune", "residual against the kernel's length scale");
+    CLI::App& command =
+        *parent.add_subcommand("tune", "residual against the kernel's length scale");
     command.add_option("--template", settings->template_path, "template mesh")->required();
-    command.add_option("--targets", settings->targets, "dataset of faces in the template's correspondence")
+    command
+        .add_option("--targets", settings->targets,
+                    "dataset of faces in the template's correspondence")
         ->required();
     command.add_option("--kernel", settings->kernel, "what makes two vertices move alike")
         ->check(CLI::IsMember({"geodesic-se", "euclidean-se", "bspline", "surface-matern"}))
         ->capture_default_str();
     command.add_option("--sigma", settings->sigmas, "A:B:STEP or A,B,C, mm")->required();
-    command.add_option("--scale", settings->tune.scale_mm, "deviation of a displacement's coordinate, mm")
+    command
+        .add_option("--scale", settings->tune.scale_mm,
+                    "deviation of a displacement's coordinate, mm")
         ->capture_default_str();
-    command.add_option("--nu", settings->tune.nu, "smoothness of surface-matern")->capture_default_str();
+    command.add_option("--nu", settings->tune.nu, "smoothness of surface-matern")
+        ->capture_default_str();
     command.add_option("--levels", settings->tune.levels, "sum of sigma, 2 sigma, 4 sigma, ...")
         ->capture_default_str();
-    command.add_option("--modes", settings->tune.num_modes, "deformation modes")->capture_default_str();
-    command.add_option("--rho", settings->tune.rho, "weight of the prior in the fits")->capture_default_str();
-    command.add_option("--expressions", settings->tune.expressions, "these faces only")->delimiter(',');
+    command.add_option("--modes", settings->tune.num_modes, "deformation modes")
+        ->capture_default_str();
+    command.add_option("--rho", settings->tune.rho, "weight of the prior in the fits")
+        ->capture_default_str();
+    command.add_option("--expressions", settings->tune.expressions, "these faces only")
+        ->delimiter(',');
     command.add_option("--subjects", settings->tune.max_subjects, "the first N subjects only");
     command.add_option("--plot", settings->plot, "picture of residual against sigma, PNG");
     add_common_options(command, settings->common);
-    command.footer("Example: mien model tune --template face.ply --targets faces.safetensors --kernel geodesic-se "
-                   "--sigma 10:40:5 --expressions neutral,mouth_stretch --subjects 1 --json tune.json");
+    command.footer(
+        "Example: mien model tune --template face.ply --targets faces.safetensors --kernel "
+        "geodesic-se "
+        "--sigma 10:40:5 --expressions neutral,mouth_stretch --subjects 1 --json tune.json");
     command.callback([settings] { run_tune(*settings); });
 }
 

@@ -16,7 +16,8 @@ struct Axis {
     bool log = false;
 
     double at(double value) const {
-        if (log) return (std::log10(value) - std::log10(low)) / (std::log10(high) - std::log10(low));
+        if (log)
+            return (std::log10(value) - std::log10(low)) / (std::log10(high) - std::log10(low));
         return (value - low) / (high - low);
     }
     std::vector<double> ticks(int count) const {
@@ -56,8 +57,10 @@ class Range {
         }
         if (!std::isnan(low)) axis.low = low;
         if (!std::isnan(high)) axis.high = high;
-        if (!(axis.high > axis.low)) throw std::invalid_argument("an axis must end above where it begins");
-        if (axis.log && axis.low <= 0) throw std::invalid_argument("a logarithmic axis must begin above zero");
+        if (!(axis.high > axis.low))
+            throw std::invalid_argument("an axis must end above where it begins");
+        if (axis.log && axis.low <= 0)
+            throw std::invalid_argument("a logarithmic axis must begin above zero");
         return axis;
     }
 
@@ -70,7 +73,8 @@ class Canvas {
   public:
     Canvas(const PlotOptions& options, Axis x, Axis y)
         : image(options.width, options.height), x_(x), y_(y) {
-        if (options.width < 160 || options.height < 120 || options.width > 8192 || options.height > 8192)
+        if (options.width < 160 || options.height < 120 || options.width > 8192 ||
+            options.height > 8192)
             throw std::invalid_argument("a plot must be 160 x 120 to 8192 x 8192 pixels");
         width_ = options.width - kLeft - kRight;
         height_ = options.height - kTop - kBottom;
@@ -98,12 +102,12 @@ class Canvas {
         fill_box(image, kLeft, kTop, 1, height_, kBlack);
         fill_box(image, kLeft, bottom(), width_ + 1, 1, kBlack);
         const int title_scale = text_width(options.title, 2) < options.width - 20 ? 2 : 1;
-        draw_text(image, (options.width - text_width(options.title, title_scale)) / 2, 9, options.title,
-                  kBlack, title_scale);
+        draw_text(image, (options.width - text_width(options.title, title_scale)) / 2, 9,
+                  options.title, kBlack, title_scale);
         draw_text(image, kLeft + (width_ - text_width(options.x_label)) / 2, options.height - 16,
                   options.x_label);
-        draw_text(image, 8, kTop + (height_ + text_width(options.y_label)) / 2, options.y_label, kBlack, 1,
-                  true);
+        draw_text(image, 8, kTop + (height_ + text_width(options.y_label)) / 2, options.y_label,
+                  kBlack, 1, true);
     }
     void legend(const std::vector<std::string>& labels, const std::vector<Rgb>& colors) {
         int longest = 0, rows = 0;
@@ -149,7 +153,7 @@ class Canvas {
 
 Rgb palette_color(int k) {
     // Hues that stay apart for people who do not tell red from green (Okabe and Ito 2008).
-    static constexpr Rgb kColors[] = {{0, 114, 178}, {213, 94, 0},  {0, 158, 115},  {204, 121, 167},
+    static constexpr Rgb kColors[] = {{0, 114, 178}, {213, 94, 0},   {0, 158, 115}, {204, 121, 167},
                                       {230, 159, 0}, {86, 180, 233}, {120, 94, 60}, {90, 90, 90}};
     return kColors[static_cast<std::size_t>(k < 0 ? 0 : k) % 8];
 }
@@ -175,13 +179,15 @@ Image draw_plot(const std::vector<Curve>& curves, const PlotOptions& options) {
     if (count == 0) throw std::invalid_argument("there is nothing to plot");
     if (options.zero_y && !options.log_y) y_range.add(0);
     Axis y_axis = y_range.axis(options.y_low, options.y_high, 0.05);
-    if (options.zero_y && !options.log_y && std::isnan(options.y_low) && y_axis.low < 0 && y_axis.low > -0.1 * y_axis.high)
+    if (options.zero_y && !options.log_y && std::isnan(options.y_low) && y_axis.low < 0 &&
+        y_axis.low > -0.1 * y_axis.high)
         y_axis.low = 0;
     Canvas canvas(options, x_range.axis(options.x_low, options.x_high, 0.03), y_axis);
     canvas.frame(options, true);
     if (options.equal_axes)
-        draw_line(canvas.image, canvas.left(), canvas.py(x_range.axis(options.x_low, options.x_high, 0.03).low),
-                  canvas.right(), canvas.py(x_range.axis(options.x_low, options.x_high, 0.03).high), kGrey);
+        draw_line(canvas.image, canvas.left(),
+                  canvas.py(x_range.axis(options.x_low, options.x_high, 0.03).low), canvas.right(),
+                  canvas.py(x_range.axis(options.x_low, options.x_high, 0.03).high), kGrey);
     std::vector<std::string> labels;
     std::vector<Rgb> colors;
     for (std::size_t n = 0; n < curves.size(); ++n) {
@@ -193,7 +199,8 @@ Image draw_plot(const std::vector<Curve>& curves, const PlotOptions& options) {
             const double x = canvas.px(c.x[k]), y = canvas.py(c.y[k]);
             if (!std::isfinite(x + y)) continue;
             if (c.line && k > 0)
-                draw_line(canvas.image, canvas.px(c.x[k - 1]), canvas.py(c.y[k - 1]), x, y, color, 2.0);
+                draw_line(canvas.image, canvas.px(c.x[k - 1]), canvas.py(c.y[k - 1]), x, y, color,
+                          2.0);
             if (!c.error.empty() && c.error[k] > 0) {
                 const double top = canvas.py(c.y[k] + c.error[k]);
                 double foot = canvas.py(c.y[k] - c.error[k]);
@@ -216,7 +223,8 @@ Image draw_bars(const std::vector<std::string>& names, const std::vector<std::st
     Range range(false);
     range.add(0);
     for (const auto& row : values) {
-        if (row.size() != names.size()) throw std::invalid_argument("a row of bars has another length than the names");
+        if (row.size() != names.size())
+            throw std::invalid_argument("a row of bars has another length than the names");
         for (double v : row) range.add(v);
     }
     Axis x;
@@ -227,7 +235,8 @@ Image draw_bars(const std::vector<std::string>& names, const std::vector<std::st
     // Names that do not fit side by side stand upright and take room below.
     std::size_t longest = 0;
     for (const std::string& name : names) longest = std::max(longest, name.size());
-    const double room = static_cast<double>(options.width - kLeft - kRight) / static_cast<double>(names.size());
+    const double room =
+        static_cast<double>(options.width - kLeft - kRight) / static_cast<double>(names.size());
     const bool upright = 6.0 * static_cast<double>(longest) > room - 4;
     const int extra = upright ? 6 * static_cast<int>(longest) : 0;
     PlotOptions inner = options;
@@ -241,10 +250,13 @@ Image draw_bars(const std::vector<std::string>& names, const std::vector<std::st
         for (std::size_t k = 0; k < names.size(); ++k) {
             const double v = values[s][k];
             if (!std::isfinite(v)) continue;
-            const double x0 = canvas.px(static_cast<double>(k) + 0.1 + step * static_cast<double>(s));
-            const double x1 = canvas.px(static_cast<double>(k) + 0.1 + step * static_cast<double>(s + 1));
+            const double x0 =
+                canvas.px(static_cast<double>(k) + 0.1 + step * static_cast<double>(s));
+            const double x1 =
+                canvas.px(static_cast<double>(k) + 0.1 + step * static_cast<double>(s + 1));
             const double y0 = canvas.py(std::max(v, 0.0)), y1 = canvas.py(std::min(v, 0.0));
-            fill_box(canvas.image, static_cast<int>(x0), static_cast<int>(y0), std::max(1, static_cast<int>(x1 - x0) - 1),
+            fill_box(canvas.image, static_cast<int>(x0), static_cast<int>(y0),
+                     std::max(1, static_cast<int>(x1 - x0) - 1),
                      std::max(1, static_cast<int>(y1 - y0)), colors.back());
         }
     }
@@ -254,8 +266,10 @@ Image draw_bars(const std::vector<std::string>& names, const std::vector<std::st
     for (std::size_t k = 0; k < names.size(); ++k) {
         const int centre = static_cast<int>(canvas.px(static_cast<double>(k) + 0.5));
         if (upright)
-            draw_text(out, centre - 3, canvas.bottom() + 8 + text_width(names[k]), names[k], kBlack, 1, true);
-        else draw_text(out, centre - text_width(names[k]) / 2, canvas.bottom() + 7, names[k]);
+            draw_text(out, centre - 3, canvas.bottom() + 8 + text_width(names[k]), names[k], kBlack,
+                      1, true);
+        else
+            draw_text(out, centre - text_width(names[k]) / 2, canvas.bottom() + 7, names[k]);
     }
     return out;
 }

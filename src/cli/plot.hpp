@@ -10,20 +10,20 @@
 namespace mien::cli {
 
 struct Curve {
-    std::string label;            ///< in the legend; empty: not listed
-    std::vector<double> x, y;     ///< of one length; a y that is not a number interrupts the line
-    std::vector<double> error;    ///< half length of error bars, or empty
+    std::string label;          ///< in the legend; empty: not listed
+    std::vector<double> x, y;   ///< of one length; a y that is not a number interrupts the line
+    std::vector<double> error;  ///< half length of error bars, or empty
     bool line = true;
     bool markers = false;
-    int color = -1;               ///< index into the palette; -1: by position
+    int color = -1;  ///< index into the palette; -1: by position
 };
 
 struct PlotOptions {
     std::string title, x_label, y_label;
     int width = 640, height = 420;  ///< pixels
     bool log_x = false, log_y = false;
-    bool zero_y = false;            ///< the y axis begins at zero
-    bool equal_axes = false;        ///< both axes cover one range, with the diagonal drawn
+    bool zero_y = false;      ///< the y axis begins at zero
+    bool equal_axes = false;  ///< both axes cover one range, with the diagonal drawn
     double x_low = std::numeric_limits<double>::quiet_NaN();  ///< NaN: from the data
     double x_high = std::numeric_limits<double>::quiet_NaN();
     double y_low = std::numeric_limits<double>::quiet_NaN();

@@ -75,25 +75,30 @@ struct TransferArguments {
     Common common;
 };
 
-// FILE: {"points": {...}} go to the nearest place on the scan, {"zones": {...}} of the template to scan vertices.
-nlohmann::json transfer_file(const Session& session, const TransferArguments& arguments, const Mesh& fitted,
-                             const Mesh& scan) {
+// FILE: {"points": {...}} go to the nearest place on the scan, {"zones": {...}} of the template to
+// scan vertices.
+nlohmann::json transfer_file(const Session& session, const TransferArguments& arguments,
+                             const Mesh& fitted, const Mesh& scan) {
     const nlohmann::json file = read_json(arguments.what);
     nlohmann::json result;
     if (file.is_object() && file.contains("zones")) {
         for (const auto& [name, vertices] : read_zones(arguments.what))
-            result["zones"][name] = transfer_zone(session, fitted, vertices, scan, arguments.max_distance);
+            result["zones"][name] =
+                transfer_zone(session, fitted, vertices, scan, arguments.max_distance);
     } else if (file.is_object() && file.contains("vertices")) {
         const std::vector<Position> places = fitted.positions();
         for (const auto& [name, vertex] : read_landmark_vertices(arguments.what)) {
             if (vertex >= places.size())
-                throw std::runtime_error(arguments.what + ": '" + name + "' is vertex " + std::to_string(vertex) +
+                throw std::runtime_error(arguments.what + ": '" + name + "' is vertex " +
+                                         std::to_string(vertex) +
                                          ", which the fitted mesh does not have");
-            result["points"][name] = transfer_points(session, scan, {places[vertex]}, arguments.max_distance)[0];
+            result["points"][name] =
+                transfer_points(session, scan, {places[vertex]}, arguments.max_distance)[0];
         }
     } else {
         for (const NamedPoint& point : read_landmark_points(arguments.what))
-            result["points"][point.name] = transfer_points(session, scan, {point.point}, arguments.max_distance)[0];
+            result["points"][point.name] =
+                transfer_points(session, scan, {point.point}, arguments.max_distance)[0];
     }
     return result;
 }
@@ -104,9 +109,10 @@ void run_transfer(const TransferArguments& arguments) {
     const Mesh fitted(session, arguments.fitted), scan(session, arguments.scan);
     nlohmann::json result;
     if (arguments.what == "landmarks" || arguments.what == "zones")
-        result = nlohmann::json::parse(transfer_json(
-            session, model, fitted, scan, arguments.what == "zones" ? MIEN_TRANSFER_ZONES : MIEN_TRANSFER_LANDMARKS,
-            arguments.max_distance));
+        result = nlohmann::json::parse(
+            transfer_json(session, model, fitted, scan,
+                          arguments.what == "zones" ? MIEN_TRANSFER_ZONES : MIEN_TRANSFER_LANDMARKS,
+                          arguments.max_distance));
     else
         result = transfer_file(session, arguments, fitted, scan);
     write_json(arguments.out, result);
@@ -120,38 +126,61 @@ void add_registration_commands(CLI::App& app) {
     auto arguments = std::make_shared<RegisterArguments>();
     command->add_option("--model", arguments->model, "deformation model")->required();
     command->add_option("--scan", arguments->scan, "PLY, OBJ, STL or OFF")->required();
-    command->add_option("--landmarks", arguments->landmarks, "JSON {\"points\": {name: [x, y, z]}}");
-    command->add_option("--landmark-sigma", arguments->landmark_sigma, "picking error in mm")->capture_default_str();
-    command->add_option("--weights", arguments->weights, "skin, none, or a JSON list with one weight per scan vertex")
+    command->add_option("--landmarks", arguments->landmarks,
+                        "JSON {\"points\": {name: [x, y, z]}}");
+    command->add_option("--landmark-sigma", arguments->landmark_sigma, "picking error in mm")
+        ->capture_default_str();
+    command
+        ->add_option("--weights", arguments->weights,
+                     "skin, none, or a JSON list with one weight per scan vertex")
         ->capture_default_str();
     command->add_option("--growth", arguments->growth, "how modes grow over the rounds")
-        ->check(CLI::IsMember({"constant", "linear", "exponential", "cubic"}))->capture_default_str();
-    command->add_option("--units", arguments->units, "detect the scan's unit, take it as mm, or refuse others")
-        ->check(CLI::IsMember({"detect", "mm", "refuse"}))->capture_default_str();
+        ->check(CLI::IsMember({"constant", "linear", "exponential", "cubic"}))
+        ->capture_default_str();
+    command
+        ->add_option("--units", arguments->units,
+                     "detect the scan's unit, take it as mm, or refuse others")
+        ->check(CLI::IsMember({"detect", "mm", "refuse"}))
+        ->capture_default_str();
     command->add_option("--start", arguments->start, "where the fit begins")
-        ->check(CLI::IsMember({"automatic", "landmarks", "search"}))->capture_default_str();
-    command->add_option("--max-modes", arguments->max_modes, "scalar kernel modes used, -1: all")->capture_default_str();
-    command->add_option("--max-pca-modes", arguments->max_pca_modes, "trained modes used, -1: all")->capture_default_str();
-    command->add_option("--iterations", arguments->iterations, "rounds, 0: the library's choice")->capture_default_str();
-    command->add_flag("--no-close-gap", arguments->no_close_gap, "stay within the span of the model");
-    command->add_flag("--no-colors", arguments->no_colors, "go by the form alone, not by lips and brows");
+        ->check(CLI::IsMember({"automatic", "landmarks", "search"}))
+        ->capture_default_str();
+    command->add_option("--max-modes", arguments->max_modes, "scalar kernel modes used, -1: all")
+        ->capture_default_str();
+    command->add_option("--max-pca-modes", arguments->max_pca_modes, "trained modes used, -1: all")
+        ->capture_default_str();
+    command->add_option("--iterations", arguments->iterations, "rounds, 0: the library's choice")
+        ->capture_default_str();
+    command->add_flag("--no-close-gap", arguments->no_close_gap,
+                      "stay within the span of the model");
+    command->add_flag("--no-colors", arguments->no_colors,
+                      "go by the form alone, not by lips and brows");
     command->add_option("--out", arguments->out, "fitted template")->required();
     command->add_option("--heatmap", arguments->heatmap, "PNG of the distance to the scan");
     add_common_options(*command, arguments->common);
-    command->footer("Example: mien register --model face.safetensors --scan scan.ply --out fitted.ply --json fit.json");
+    command->footer(
+        "Example: mien register --model face.safetensors --scan scan.ply --out fitted.ply --json "
+        "fit.json");
     command->callback([arguments] { run_register(*arguments); });
 
-    auto* transfer = app.add_subcommand("transfer", "carry landmarks, contours or zones from a fitted template to its scan");
+    auto* transfer = app.add_subcommand(
+        "transfer", "carry landmarks, contours or zones from a fitted template to its scan");
     auto carried = std::make_shared<TransferArguments>();
     transfer->add_option("--model", carried->model, "deformation model")->required();
-    transfer->add_option("--fitted", carried->fitted, "the template after registration")->required();
+    transfer->add_option("--fitted", carried->fitted, "the template after registration")
+        ->required();
     transfer->add_option("--scan", carried->scan, "the scan, in the same frame")->required();
-    transfer->add_option("--what", carried->what, "landmarks, zones, or a JSON file with points, vertices or zones")
+    transfer
+        ->add_option("--what", carried->what,
+                     "landmarks, zones, or a JSON file with points, vertices or zones")
         ->capture_default_str();
-    transfer->add_option("--max-distance", carried->max_distance, "mm beyond which a place is lost")->capture_default_str();
+    transfer->add_option("--max-distance", carried->max_distance, "mm beyond which a place is lost")
+        ->capture_default_str();
     transfer->add_option("--out", carried->out, "JSON file")->required();
     add_common_options(*transfer, carried->common);
-    transfer->footer("Example: mien transfer --model face.safetensors --fitted fitted.ply --scan scan.ply --what zones --out zones.json");
+    transfer->footer(
+        "Example: mien transfer --model face.safetensors --fitted fitted.ply --scan scan.ply "
+        "--what zones --out zones.json");
     transfer->callback([carried] { run_transfer(*carried); });
 }
 

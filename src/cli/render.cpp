@@ -8,11 +8,15 @@ namespace mien::cli {
 namespace {
 
 using Vec = std::array<double, 3>;
-constexpr int kSamples = 2;      // samples per pixel and axis
-constexpr int kMargin = 10;      // pixels around each view
+constexpr int kSamples = 2;  // samples per pixel and axis
+constexpr int kMargin = 10;  // pixels around each view
 
-Vec minus(const Vec& a, const Vec& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-double dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Vec minus(const Vec& a, const Vec& b) {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+double dot(const Vec& a, const Vec& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 Vec cross(const Vec& a, const Vec& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
@@ -29,13 +33,20 @@ using Camera = std::array<Vec, 3>;
 Camera camera_of(const std::string& view) {
     const double pi = std::acos(-1.0);
     double turn = 0;
-    if (view == "front") turn = 0;
-    else if (view == "left") turn = 90;
-    else if (view == "right") turn = -90;
-    else if (view == "left45") turn = 45;
-    else if (view == "right45") turn = -45;
-    else if (view == "back") turn = 180;
-    else if (view == "top") return {Vec{1, 0, 0}, Vec{0, 0, -1}, Vec{0, 1, 0}};
+    if (view == "front")
+        turn = 0;
+    else if (view == "left")
+        turn = 90;
+    else if (view == "right")
+        turn = -90;
+    else if (view == "left45")
+        turn = 45;
+    else if (view == "right45")
+        turn = -45;
+    else if (view == "back")
+        turn = 180;
+    else if (view == "top")
+        return {Vec{1, 0, 0}, Vec{0, 0, -1}, Vec{0, 1, 0}};
     else {
         std::size_t used = 0;
         try {
@@ -45,8 +56,10 @@ Camera camera_of(const std::string& view) {
         }
         if (used == 0 || used != view.size() || !std::isfinite(turn)) {
             std::string known;
-            for (const std::string& name : view_names()) known += (known.empty() ? "" : ", ") + name;
-            throw std::invalid_argument("unknown view '" + view + "'; use " + known + " or an angle in degrees");
+            for (const std::string& name : view_names())
+                known += (known.empty() ? "" : ", ") + name;
+            throw std::invalid_argument("unknown view '" + view + "'; use " + known +
+                                        " or an angle in degrees");
         }
     }
     const double c = std::cos(turn * pi / 180), s = std::sin(turn * pi / 180);
@@ -83,17 +96,19 @@ Rgb shade(const Vec& normal, const Vec& base) {
 }
 
 struct Frame {
-    Vec centre{};       // mesh frame
-    double scale = 1;   // pixels per mm
+    Vec centre{};      // mesh frame
+    double scale = 1;  // pixels per mm
 };
 
 class Raster {
   public:
     Raster(int width, int height)
-        : image(width, height), depth_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), -HUGE_VAL) {}
+        : image(width, height),
+          depth_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), -HUGE_VAL) {}
 
     void triangle(const Vec p[3], const Vec normals[3], const Vec colors[3]) {
-        const double area = (p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]);
+        const double area =
+            (p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]);
         if (area == 0 || !std::isfinite(area)) return;
         const auto first = [](double a, double b, double c) {
             return static_cast<int>(std::max(0.0, std::ceil(std::min({a, b, c}))));
@@ -112,8 +127,9 @@ class Raster {
                 }
                 if (w[0] < 0 || w[1] < 0 || w[2] < 0) continue;
                 const double z = w[0] * p[0][2] + w[1] * p[1][2] + w[2] * p[2][2];
-                double& nearest = depth_[static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
-                                         static_cast<std::size_t>(x)];
+                double& nearest =
+                    depth_[static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                           static_cast<std::size_t>(x)];
                 if (z <= nearest) continue;
                 nearest = z;
                 Vec n{}, c{};
@@ -130,8 +146,9 @@ class Raster {
             for (int i = -1; i <= 1; ++i) {
                 const int x = static_cast<int>(p[0]) + i, y = static_cast<int>(p[1]) + j;
                 if (!image.contains(x, y)) continue;
-                double& nearest = depth_[static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
-                                         static_cast<std::size_t>(x)];
+                double& nearest =
+                    depth_[static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                           static_cast<std::size_t>(x)];
                 if (p[2] <= nearest) continue;
                 nearest = p[2];
                 image.set(x, y, shade({0, 0, 1}, color));
@@ -155,19 +172,21 @@ Image smaller(const Image& big) {
                 }
             Rgb mean;
             for (std::size_t k = 0; k < 3; ++k)
-                mean[k] = static_cast<std::uint8_t>((sum[k] + kSamples * kSamples / 2) / (kSamples * kSamples));
+                mean[k] = static_cast<std::uint8_t>((sum[k] + kSamples * kSamples / 2) /
+                                                    (kSamples * kSamples));
             out.set(x, y, mean);
         }
     return out;
 }
 
-Image render_view(const MeshArrays& mesh, const std::vector<Vec>& normals, const std::vector<Vec>& colors,
-                  const Camera& camera, const MeshArrays& framing, const Frame& frame,
-                  const RenderOptions& options) {
+Image render_view(const MeshArrays& mesh, const std::vector<Vec>& normals,
+                  const std::vector<Vec>& colors, const Camera& camera, const MeshArrays& framing,
+                  const Frame& frame, const RenderOptions& options) {
     double half_width = 0;
     for (const Vec& p : framing.positions)
         half_width = std::max(half_width, std::fabs(dot(camera[0], minus(p, frame.centre))));
-    const int width = std::clamp(static_cast<int>(2 * half_width * frame.scale) + 2 * kMargin, 32, 3 * options.size);
+    const int width = std::clamp(static_cast<int>(2 * half_width * frame.scale) + 2 * kMargin, 32,
+                                 3 * options.size);
     const int height = options.size;
     const auto place = [&](const Vec& p, int samples) {
         Vec q = to_camera(camera, minus(p, frame.centre));
@@ -212,7 +231,8 @@ Image color_bar(const RenderOptions& options, double low, double high, int heigh
         draw_text(bar, 39, y - 3, short_number(t));
     }
     if (!options.label.empty())
-        draw_text(bar, bar.width - 12, height / 2 + text_width(options.label) / 2, options.label, kBlack, 1, true);
+        draw_text(bar, bar.width - 12, height / 2 + text_width(options.label) / 2, options.label,
+                  kBlack, 1, true);
     return bar;
 }
 
@@ -236,16 +256,21 @@ std::pair<double, double> range_of(const RenderOptions& options) {
 
 }  // namespace
 
-MeshArrays arrays_of(const Mesh& mesh) { return {mesh.positions(), mesh.triangles(), mesh.colors()}; }
+MeshArrays arrays_of(const Mesh& mesh) {
+    return {mesh.positions(), mesh.triangles(), mesh.colors()};
+}
 
-std::vector<std::string> view_names() { return {"front", "left", "right", "left45", "right45", "back", "top"}; }
+std::vector<std::string> view_names() {
+    return {"front", "left", "right", "left45", "right45", "back", "top"};
+}
 
 Rgb map_color(ColorMap map, double t) {
     if (!(t == t)) return kGrey;
     t = std::clamp(t, 0.0, 1.0);
     Rgb out{};
     if (map == ColorMap::sequential) {
-        // Polynomials of degree 6 through the viridis map (van der Walt and Smith 2015), error < 2 %.
+        // Polynomials of degree 6 through the viridis map (van der Walt and Smith 2015), error < 2
+        // %.
         static constexpr double kFit[3][7] = {
             {0.2745, 0.1077, -0.3272, -4.5999, 6.2037, 4.7518, -5.4321},
             {0.0058, 1.3965, 0.2148, -5.7582, 14.154, -13.7494, 4.6416},
@@ -261,7 +286,8 @@ Rgb map_color(ColorMap map, double t) {
     const double* end = kEnds[t > 0.5];
     const double away = std::fabs(2 * t - 1);
     for (std::size_t k = 0; k < 3; ++k)
-        out[k] = static_cast<std::uint8_t>(242 + (end[k] - 242) * (0.35 * away * away + 0.65 * away) + 0.5);
+        out[k] = static_cast<std::uint8_t>(
+            242 + (end[k] - 242) * (0.35 * away * away + 0.65 * away) + 0.5);
     return out;
 }
 
@@ -273,13 +299,15 @@ Image render_mesh(const MeshArrays& mesh, const RenderOptions& options) {
         throw std::invalid_argument("give 1 to 16 views");
     if (!options.scalar.empty() && options.scalar.size() != mesh.positions.size())
         throw std::invalid_argument("the scalar has " + std::to_string(options.scalar.size()) +
-                                    " values for " + std::to_string(mesh.positions.size()) + " vertices");
+                                    " values for " + std::to_string(mesh.positions.size()) +
+                                    " vertices");
     std::vector<Vec> colors(mesh.positions.size(), Vec{205, 200, 195});
     const auto [low, high] = range_of(options);
     for (std::size_t v = 0; v < colors.size(); ++v) {
         if (!options.scalar.empty()) {
             const double s = options.scalar[v];
-            const Rgb c = map_color(options.color_map, high > low ? (s - low) / (high - low) : s - low);
+            const Rgb c =
+                map_color(options.color_map, high > low ? (s - low) / (high - low) : s - low);
             colors[v] = {double(c[0]), double(c[1]), double(c[2])};
         } else if (options.use_colors && mesh.colors.size() == mesh.positions.size()) {
             const Color c = mesh.colors[v];
@@ -301,12 +329,14 @@ Image render_mesh(const MeshArrays& mesh, const RenderOptions& options) {
     const std::vector<Vec> normals = vertex_normals(mesh);
     std::vector<Image> parts;
     for (const std::string& view : options.views)
-        parts.push_back(render_view(mesh, normals, colors, camera_of(view), framing, frame, options));
+        parts.push_back(
+            render_view(mesh, normals, colors, camera_of(view), framing, frame, options));
     if (!options.scalar.empty()) parts.push_back(color_bar(options, low, high, options.size));
     Image picture = stack_images(parts, true);
     if (options.title.empty()) return picture;
     Image titled(std::max(picture.width, text_width(options.title, 2) + 20), picture.height + 26);
-    draw_text(titled, (titled.width - text_width(options.title, 2)) / 2, 8, options.title, kBlack, 2);
+    draw_text(titled, (titled.width - text_width(options.title, 2)) / 2, 8, options.title, kBlack,
+              2);
     paste(titled, picture, 0, 26);
     return titled;
 }

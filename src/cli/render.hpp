@@ -27,15 +27,16 @@ Rgb map_color(ColorMap map, double t);
 
 struct RenderOptions {
     std::vector<std::string> views{"front", "left45", "left"};  ///< see view_names()
-    int size = 480;                      ///< pixels, height of a view, 32 to 4096
-    std::vector<double> scalar;          ///< per vertex, or empty; not-a-number: no value, grey
+    int size = 480;              ///< pixels, height of a view, 32 to 4096
+    std::vector<double> scalar;  ///< per vertex, or empty; not-a-number: no value, grey
     ColorMap color_map = ColorMap::sequential;
-    double low = std::numeric_limits<double>::quiet_NaN();   ///< of the colour bar; NaN: from the data
+    double low =
+        std::numeric_limits<double>::quiet_NaN();  ///< of the colour bar; NaN: from the data
     double high = std::numeric_limits<double>::quiet_NaN();
-    std::string label;                   ///< under the colour bar, e.g. "distance, mm"
-    std::string title;                   ///< above the views
-    bool use_colors = true;              ///< vertex colours, when there are any and no scalar
-    std::vector<Position> points;        ///< drawn as dots on top, e.g. landmarks
+    std::string label;             ///< under the colour bar, e.g. "distance, mm"
+    std::string title;             ///< above the views
+    bool use_colors = true;        ///< vertex colours, when there are any and no scalar
+    std::vector<Position> points;  ///< drawn as dots on top, e.g. landmarks
     /// Another mesh whose bounding box sets the camera, so that pictures can be compared.
     const MeshArrays* framing = nullptr;
 };

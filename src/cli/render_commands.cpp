@@ -21,7 +21,8 @@ struct RenderCommand {
     bool diverging = false, plain = false, is_signed = false;
 };
 
-/// One number per vertex: JSON ([..] or {"values": [..]}) or text, separated by space, comma or line.
+/// One number per vertex: JSON ([..] or {"values": [..]}) or text, separated by space, comma or
+/// line.
 std::vector<double> read_scalar(const std::string& path) {
     std::vector<double> values;
     const auto ends_with = [&](const char* tail) {
@@ -30,11 +31,14 @@ std::vector<double> read_scalar(const std::string& path) {
     };
     if (ends_with(".json")) {
         nlohmann::json file = read_json(path);
-        const nlohmann::json& list = file.is_object() && file.contains("values") ? file["values"] : file;
-        if (!list.is_array()) throw std::runtime_error(path + ": expected [number, ...] or {\"values\": [...]}");
+        const nlohmann::json& list =
+            file.is_object() && file.contains("values") ? file["values"] : file;
+        if (!list.is_array())
+            throw std::runtime_error(path + ": expected [number, ...] or {\"values\": [...]}");
         for (const nlohmann::json& v : list) {
             if (!v.is_number() && !v.is_null())
-                throw std::runtime_error(path + ": value " + std::to_string(values.size()) + " is not a number");
+                throw std::runtime_error(path + ": value " + std::to_string(values.size()) +
+                                         " is not a number");
             values.push_back(v.is_null() ? std::nan("") : v.get<double>());
         }
         return values;
@@ -54,24 +58,29 @@ std::vector<double> read_scalar(const std::string& path) {
             used = 0;
         }
         if (used != word.size())
-            throw std::runtime_error(path + ": '" + word.substr(0, 20) + "' is not a number; give one number per vertex");
+            throw std::runtime_error(path + ": '" + word.substr(0, 20) +
+                                     "' is not a number; give one number per vertex");
         values.push_back(value);
         word.clear();
     };
     for (const char c : text.str()) {
-        if (c == ' ' || c == '\n' || c == '\r' || c == '\t' || c == ',') finish();
-        else word += c;
+        if (c == ' ' || c == '\n' || c == '\r' || c == '\t' || c == ',')
+            finish();
+        else
+            word += c;
     }
     finish();
     return values;
 }
 
-/// Distance per vertex between meshes of one topology; signed along the normals of the first if asked.
+/// Distance per vertex between meshes of one topology; signed along the normals of the first if
+/// asked.
 std::vector<double> distances(const MeshArrays& mesh, const MeshArrays& other, bool with_sign) {
     if (mesh.positions.size() != other.positions.size())
-        throw std::runtime_error("--compare: the meshes have " + std::to_string(mesh.positions.size()) + " and " +
-                                 std::to_string(other.positions.size()) +
-                                 " vertices; a comparison vertex by vertex needs the same topology");
+        throw std::runtime_error(
+            "--compare: the meshes have " + std::to_string(mesh.positions.size()) + " and " +
+            std::to_string(other.positions.size()) +
+            " vertices; a comparison vertex by vertex needs the same topology");
     std::vector<double> out(mesh.positions.size());
     std::vector<Position> normals(out.size(), Position{0, 0, 0});
     for (const Triangle& t : mesh.triangles) {
@@ -80,7 +89,8 @@ std::vector<double> distances(const MeshArrays& mesh, const MeshArrays& other, b
             a[k] = mesh.positions[t[1]][k] - mesh.positions[t[0]][k];
             b[k] = mesh.positions[t[2]][k] - mesh.positions[t[0]][k];
         }
-        const Position n{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+        const Position n{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                         a[0] * b[1] - a[1] * b[0]};
         for (std::uint32_t v : t)
             for (std::size_t k = 0; k < 3; ++k) normals[v][k] += n[k];
     }
@@ -110,7 +120,8 @@ Image beside_one_another(const Session& session, const RenderCommand& o, const M
     MeshArrays all = mesh;
     for (const std::string& path : o.beside) {
         others.push_back(arrays_of(Mesh(session, path)));
-        all.positions.insert(all.positions.end(), others.back().positions.begin(), others.back().positions.end());
+        all.positions.insert(all.positions.end(), others.back().positions.begin(),
+                             others.back().positions.end());
     }
     options.framing = &all;
     std::vector<Image> parts;
@@ -142,13 +153,15 @@ void run(const RenderCommand& o) {
     if (!o.scalar.empty()) options.scalar = read_scalar(o.scalar);
     if (!o.compare.empty()) {
         options.scalar = distances(mesh, arrays_of(Mesh(session, o.compare)), o.is_signed);
-        if (options.label.empty()) options.label = o.is_signed ? "signed distance, mm" : "distance, mm";
+        if (options.label.empty())
+            options.label = o.is_signed ? "signed distance, mm" : "distance, mm";
         if (std::isnan(options.low) && !o.is_signed) options.low = 0;
     }
     if (!o.landmarks.empty()) {
         const nlohmann::json file = read_json(o.landmarks);
         if (file.is_object() && file.contains("points")) {
-            for (const NamedPoint& p : read_landmark_points(o.landmarks)) options.points.push_back(p.point);
+            for (const NamedPoint& p : read_landmark_points(o.landmarks))
+                options.points.push_back(p.point);
         } else {
             for (const auto& [name, vertex] : read_landmark_vertices(o.landmarks)) {
                 if (vertex >= mesh.positions.size())
@@ -163,11 +176,13 @@ void run(const RenderCommand& o) {
         mesh.colors.assign(mesh.positions.size(), Color{190, 190, 190});
         int k = 0;
         for (const auto& [name, vertices] : read_zones(o.zones)) {
-            const Rgb color = map_color(ColorMap::sequential, 0.15 + 0.618034 * k - std::floor(0.15 + 0.618034 * k));
+            const Rgb color = map_color(ColorMap::sequential,
+                                        0.15 + 0.618034 * k - std::floor(0.15 + 0.618034 * k));
             if (name != "face") ++k;
             for (std::uint32_t v : vertices) {
                 if (v >= mesh.positions.size())
-                    throw std::runtime_error(o.zones + ": zone '" + name + "' names vertex " + std::to_string(v));
+                    throw std::runtime_error(o.zones + ": zone '" + name + "' names vertex " +
+                                             std::to_string(v));
                 if (name != "face") mesh.colors[v] = color;
             }
         }
@@ -185,8 +200,10 @@ void run(const RenderCommand& o) {
                 ++count;
             }
         if (count > 0) {
-            report["scalar"] = {{"min", low}, {"mean", sum / static_cast<double>(count)}, {"max", high}};
-            std::printf("scalar: min %.6g mean %.6g max %.6g\n", low, sum / static_cast<double>(count), high);
+            report["scalar"] = {
+                {"min", low}, {"mean", sum / static_cast<double>(count)}, {"max", high}};
+            std::printf("scalar: min %.6g mean %.6g max %.6g\n", low,
+                        sum / static_cast<double>(count), high);
         }
     }
     write_report(o.common, report);
@@ -199,28 +216,43 @@ void add_render_commands(CLI::App& app) {
     CLI::App* command = app.add_subcommand("render", "Draw a mesh as a picture (PNG)");
     command->add_option("mesh", options->mesh, "mesh file")->required();
     command->add_option("--out", options->out, "PNG file to write")->required();
-    auto* scalar = command->add_option("--scalar", options->scalar, "one number per vertex (text, CSV or JSON): heat map");
-    command->add_option("--compare", options->compare, "mesh of the same topology: heat map of the distance, mm")
+    auto* scalar = command->add_option("--scalar", options->scalar,
+                                       "one number per vertex (text, CSV or JSON): heat map");
+    command
+        ->add_option("--compare", options->compare,
+                     "mesh of the same topology: heat map of the distance, mm")
         ->excludes(scalar);
-    command->add_flag("--signed", options->is_signed, "with --compare: positive outwards, diverging colours");
-    command->add_flag("--diverging", options->diverging, "blue - white - red instead of dark to bright");
+    command->add_flag("--signed", options->is_signed,
+                      "with --compare: positive outwards, diverging colours");
+    command->add_flag("--diverging", options->diverging,
+                      "blue - white - red instead of dark to bright");
     command->add_option("--min", options->low, "value at the lower end of the colours");
     command->add_option("--max", options->high, "value at the upper end of the colours");
     command->add_option("--label", options->label, "text beside the colour bar");
     command->add_option("--title", options->title, "text above the picture");
-    command->add_option("--views", options->views, "front, left, right, left45, right45, back, top or degrees, comma-separated")
+    command
+        ->add_option("--views", options->views,
+                     "front, left, right, left45, right45, back, top or degrees, comma-separated")
         ->delimiter(',');
-    command->add_option("--beside", options->beside, "another mesh, drawn to the left in its own colours; may be repeated")
+    command
+        ->add_option("--beside", options->beside,
+                     "another mesh, drawn to the left in its own colours; may be repeated")
         ->take_all()
         ->allow_extra_args(false);
-    command->add_option("--captions", options->captions, "titles, comma-separated: one per --beside, then the mesh's")
+    command
+        ->add_option("--captions", options->captions,
+                     "titles, comma-separated: one per --beside, then the mesh's")
         ->delimiter(',');
-    command->add_option("--size", options->size, "height of a view in pixels")->check(CLI::Range(32, 4096))->capture_default_str();
+    command->add_option("--size", options->size, "height of a view in pixels")
+        ->check(CLI::Range(32, 4096))
+        ->capture_default_str();
     command->add_option("--landmarks", options->landmarks, "landmark file, drawn as dots");
     command->add_option("--zones", options->zones, "zone file of the mesh, drawn in colours");
     command->add_flag("--no-colors", options->plain, "ignore vertex colours");
     add_common_options(*command, options->common);
-    command->footer("Example: mien render fitted.ply --compare truth.ply --max 3 --views front,left45 --out error.png");
+    command->footer(
+        "Example: mien render fitted.ply --compare truth.ply --max 3 --views front,left45 --out "
+        "error.png");
     command->callback([options] { run(*options); });
 }
 

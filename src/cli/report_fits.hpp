@@ -1,5 +1,5 @@
-// What a longitudinal report is made from: the visits of a folder, their faces fitted to the scans, the faces
-// without their expressions.
+// What a longitudinal report is made from: the visits of a folder, their faces fitted to the scans,
+// the faces without their expressions.
 #pragma once
 
 #include <memory>
@@ -39,13 +39,16 @@ struct Fitted {
 };
 
 /// model: may be null when settings say that the meshes are fitted already.
-Fitted fit_capture(const Session& session, const ReportSettings& settings, const Model* model, const Capture& capture);
+Fitted fit_capture(const Session& session, const ReportSettings& settings, const Model* model,
+                   const Capture& capture);
 
 /// The vertices within `margin_mm` of given ones on a face, those among them; ascending.
-std::vector<std::uint32_t> with_margin(const Mesh& face, const std::vector<std::uint32_t>& vertices, double margin_mm);
+std::vector<std::uint32_t> with_margin(const Mesh& face, const std::vector<std::uint32_t>& vertices,
+                                       double margin_mm);
 
 /// Takes the expressions off all captures together; the faces become neutral ones.
 std::unique_ptr<Visits> neutralize_all(const Session& session, const ExpressionModel& expressions,
-                                       const std::vector<std::uint32_t>& treated, std::vector<Fitted>& fits);
+                                       const std::vector<std::uint32_t>& treated,
+                                       std::vector<Fitted>& fits);
 
 }  // namespace mien::cli

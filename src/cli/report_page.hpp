@@ -1,4 +1,5 @@
-// The longitudinal report as one HTML page that stands alone: no script, no request, readable on a phone.
+// The longitudinal report as one HTML page that stands alone: no script, no request, readable on a
+// phone.
 #pragma once
 
 #include <limits>
@@ -19,7 +20,7 @@ struct ReportVolume {
 
 struct ReportVisit {
     std::string name;
-    std::string verdict;                ///< of the registration and alignment, in words
+    std::string verdict;  ///< of the registration and alignment, in words
     bool good = true;
     Image face, difference;             ///< difference: empty for the first visit
     std::vector<ReportVolume> volumes;  ///< one per zone; empty for the first visit

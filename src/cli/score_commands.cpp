@@ -14,14 +14,16 @@ namespace {
 
 struct ScoreCommand {
     Common common;
-    std::string data, grades, model, in, out, picture, zones, zone, stable, method = "nipals", values;
+    std::string data, grades, model, in, out, picture, zones, zone, stable, method = "nipals",
+                                                                            values;
     int components = 0, max_components = 10, folds = 10, grade_count = 0;
     bool uniform = false;
     double curvature = 0.1, radius = 8.0, target = 0.0;
     std::vector<double> range;
 };
 
-const nlohmann::json& list_of(const nlohmann::json& file, const std::string& path, const char* key) {
+const nlohmann::json& list_of(const nlohmann::json& file, const std::string& path,
+                              const char* key) {
     if (!file.is_object() || !file.contains(key) || !file[key].is_array())
         throw std::runtime_error(path + ": expected {\"" + key + "\": [...]}");
     return file[key];
@@ -29,7 +31,8 @@ const nlohmann::json& list_of(const nlohmann::json& file, const std::string& pat
 
 double number_or_none(const nlohmann::json& value, const std::string& path) {
     if (value.is_null()) return std::numeric_limits<double>::quiet_NaN();
-    if (!value.is_number()) throw std::runtime_error(path + ": " + value.dump() + " is neither a number nor null");
+    if (!value.is_number())
+        throw std::runtime_error(path + ": " + value.dump() + " is neither a number nor null");
     return value.get<double>();
 }
 
@@ -63,7 +66,8 @@ std::vector<std::uint32_t> zone_named(const ScoreCommand& settings, const std::s
     throw std::runtime_error(settings.zones + ": has no zone '" + name + "'");
 }
 
-/// The cross-validated error over the number of components, and the latent variables on the template.
+/// The cross-validated error over the number of components, and the latent variables on the
+/// template.
 void draw_training(const std::string& path, const Session& session, const ScoreModel& model,
                    const nlohmann::json& report) {
     Curve curve;
@@ -80,14 +84,17 @@ void draw_training(const std::string& path, const Session& session, const ScoreM
     plot.y_label = "square error";
     plot.zero_y = true;
     std::vector<Image> rows{draw_plot({curve}, plot)};
-    const MeshArrays face = arrays_of(model.simulate(session, nullptr, report["mean_grade"].get<double>()));
-    for (int component = -1; component < std::min(3, report["components"].get<int>()); ++component) {
+    const MeshArrays face =
+        arrays_of(model.simulate(session, nullptr, report["mean_grade"].get<double>()));
+    for (int component = -1; component < std::min(3, report["components"].get<int>());
+         ++component) {
         RenderOptions options;
         options.size = 320;
         options.scalar = model.latent(component);
         options.low = 0;
         options.label = component < 0 ? "mm per grade" : "mm at one deviation";
-        options.title = component < 0 ? "Along the score" : "Latent variable " + std::to_string(component + 1);
+        options.title =
+            component < 0 ? "Along the score" : "Latent variable " + std::to_string(component + 1);
         rows.push_back(render_mesh(face, options));
     }
     write_png(path, stack_images(rows, false));
@@ -111,7 +118,8 @@ void run_train(const ScoreCommand& settings) {
     options.zone = zone_named(settings, settings.zone);
     options.stable_zone = zone_named(settings, settings.stable);
     options.progress = progress_bar();
-    const ScoreModel model = ScoreModel::train(session, settings.data, read_grades(settings.grades), options);
+    const ScoreModel model =
+        ScoreModel::train(session, settings.data, read_grades(settings.grades), options);
     model.save(session, settings.out);
     nlohmann::json report = nlohmann::json::parse(model.json());
     std::printf("%d faces, %d components (least error: %d); held-out faces: error %.3f, R2 %.3f\n",
@@ -164,7 +172,8 @@ void run_simulate(const ScoreCommand& settings) {
         rows.push_back(render_mesh(after, options));
         write_png(settings.picture, stack_images(rows, false));
     }
-    write_report(settings.common, {{"in", settings.in}, {"target", settings.target}, {"out", settings.out}});
+    write_report(settings.common,
+                 {{"in", settings.in}, {"target", settings.target}, {"out", settings.out}});
 }
 
 void run_agreement(const ScoreCommand& settings) {
@@ -174,11 +183,13 @@ void run_agreement(const ScoreCommand& settings) {
     int highest = 0;
     for (const nlohmann::json& row : list_of(file, settings.grades, "grades")) {
         if (!row.is_array() || (raters != 0 && row.size() != raters))
-            throw std::runtime_error(settings.grades + ": every entry must be a list with one grade per rater");
+            throw std::runtime_error(settings.grades +
+                                     ": every entry must be a list with one grade per rater");
         raters = row.size();
         for (const nlohmann::json& grade : row) {
             if (!grade.is_null() && !grade.is_number_integer())
-                throw std::runtime_error(settings.grades + ": " + grade.dump() + " is not a whole grade or null");
+                throw std::runtime_error(settings.grades + ": " + grade.dump() +
+                                         " is not a whole grade or null");
             ratings.push_back(grade.is_null() ? -1 : grade.get<std::int32_t>());
             highest = std::max(highest, ratings.back());
         }
@@ -189,11 +200,15 @@ void run_agreement(const ScoreCommand& settings) {
         rater_agreement(session, ratings, static_cast<std::uint32_t>(raters), grades));
     std::printf("all agree %.1f %%, within one grade %.1f %%, Fleiss' kappa %s\n",
                 100 * report["percent_agreement_all"].get<double>(),
-                100 * report["percent_within_one_grade"].get<double>(), report["fleiss"]["kappa"].dump().c_str());
+                100 * report["percent_within_one_grade"].get<double>(),
+                report["fleiss"]["kappa"].dump().c_str());
     for (const nlohmann::json& pair : report["pairs"])
-        std::printf("raters %d and %d: agree %.1f %%, quadratic kappa %s\n", pair["raters"][0].get<int>() + 1,
-                    pair["raters"][1].get<int>() + 1, 100 * pair["percent_agreement"].get<double>(),
-                    pair.contains("kappa_quadratic") ? pair["kappa_quadratic"]["kappa"].dump().c_str() : "none");
+        std::printf("raters %d and %d: agree %.1f %%, quadratic kappa %s\n",
+                    pair["raters"][0].get<int>() + 1, pair["raters"][1].get<int>() + 1,
+                    100 * pair["percent_agreement"].get<double>(),
+                    pair.contains("kappa_quadratic")
+                        ? pair["kappa_quadratic"]["kappa"].dump().c_str()
+                        : "none");
     write_report(settings.common, report);
 }
 
@@ -214,10 +229,13 @@ void run_repeatability(const ScoreCommand& settings) {
         for (const nlohmann::json& value : list_of(file, settings.values, "blanks"))
             blanks.push_back(number_or_none(value, settings.values));
     if (values.empty() && blanks.empty())
-        throw std::runtime_error(settings.values + ": expected {\"captures\": [[...], ...], \"blanks\": [...]}");
+        throw std::runtime_error(settings.values +
+                                 ": expected {\"captures\": [[...], ...], \"blanks\": [...]}");
     const Session session(settings.common.num_threads);
-    const nlohmann::json report = nlohmann::json::parse(repeatability(session, values, subjects, blanks));
-    for (const auto& [name, value] : report.items()) std::printf("%-26s %s\n", name.c_str(), value.dump().c_str());
+    const nlohmann::json report =
+        nlohmann::json::parse(repeatability(session, values, subjects, blanks));
+    for (const auto& [name, value] : report.items())
+        std::printf("%-26s %s\n", name.c_str(), value.dump().c_str());
     write_report(settings.common, report);
 }
 
@@ -229,11 +247,13 @@ void run_bland_altman(const ScoreCommand& settings) {
     for (const nlohmann::json& value : list_of(file, settings.values, "second"))
         second.push_back(number_or_none(value, settings.values));
     if (first.size() != second.size())
-        throw std::runtime_error(settings.values + ": " + std::to_string(first.size()) + " first and " +
-                                 std::to_string(second.size()) + " second values; give one of each per subject");
+        throw std::runtime_error(settings.values + ": " + std::to_string(first.size()) +
+                                 " first and " + std::to_string(second.size()) +
+                                 " second values; give one of each per subject");
     const Session session(settings.common.num_threads);
     const nlohmann::json report = nlohmann::json::parse(bland_altman(session, first, second));
-    for (const auto& [name, value] : report.items()) std::printf("%-26s %s\n", name.c_str(), value.dump().c_str());
+    for (const auto& [name, value] : report.items())
+        std::printf("%-26s %s\n", name.c_str(), value.dump().c_str());
     if (!settings.picture.empty()) {
         Curve points, bias, lower, upper;
         points.label = "subjects";
@@ -246,7 +266,9 @@ void run_bland_altman(const ScoreCommand& settings) {
         const auto [low, high] = std::minmax_element(points.x.begin(), points.x.end());
         bias.label = "bias";
         lower.label = "95 % limits";
-        for (auto [curve, key] : {std::pair<Curve*, const char*>{&bias, "bias"}, {&lower, "lower_limit"}, {&upper, "upper_limit"}}) {
+        for (auto [curve, key] : {std::pair<Curve*, const char*>{&bias, "bias"},
+                                  {&lower, "lower_limit"},
+                                  {&upper, "upper_limit"}}) {
             curve->x = {*low, *high};
             curve->y = {report[key], report[key]};
         }
@@ -262,29 +284,42 @@ void run_bland_altman(const ScoreCommand& settings) {
 }  // namespace
 
 void add_score_commands(CLI::App& app) {
-    CLI::App* score = app.add_subcommand("score", "biomarker scores, rater agreement, repeatability");
+    CLI::App* score =
+        app.add_subcommand("score", "biomarker scores, rater agreement, repeatability");
     score->require_subcommand(1);
     auto settings = std::make_shared<ScoreCommand>();
 
     CLI::App* train = score->add_subcommand("train", "learn a score from graded faces");
     train->add_option("--data", settings->data, "dataset of faces in correspondence")->required();
-    train->add_option("--grades", settings->grades, "{\"grades\": [...]}, per face a number, null, or one per rater")->required();
+    train
+        ->add_option("--grades", settings->grades,
+                     "{\"grades\": [...]}, per face a number, null, or one per rater")
+        ->required();
     train->add_option("--zones", settings->zones, "zone file");
     train->add_option("--zone", settings->zone, "zone of interest; default: the whole face");
-    train->add_option("--stable", settings->stable, "zone that faces are aligned on; default: the whole face");
-    train->add_option("--method", settings->method)->check(CLI::IsMember({"nipals", "simpls"}))->capture_default_str();
-    train->add_option("--components", settings->components, "0: by cross-validation")->capture_default_str();
+    train->add_option("--stable", settings->stable,
+                      "zone that faces are aligned on; default: the whole face");
+    train->add_option("--method", settings->method)
+        ->check(CLI::IsMember({"nipals", "simpls"}))
+        ->capture_default_str();
+    train->add_option("--components", settings->components, "0: by cross-validation")
+        ->capture_default_str();
     train->add_option("--max-components", settings->max_components)->capture_default_str();
-    train->add_option("--folds", settings->folds, "over subjects; 0: leave one out")->capture_default_str();
+    train->add_option("--folds", settings->folds, "over subjects; 0: leave one out")
+        ->capture_default_str();
     train->add_flag("--uniform", settings->uniform,
                     "every vertex counts by its area, not by how far it moves with the score");
-    train->add_option("--curvature", settings->curvature, "weight of curvature features; 0: none")->capture_default_str();
+    train->add_option("--curvature", settings->curvature, "weight of curvature features; 0: none")
+        ->capture_default_str();
     train->add_option("--curvature-radius", settings->radius, "mm")->capture_default_str();
     train->add_option("--range", settings->range, "lowest and highest grade")->expected(2);
     train->add_option("--out", settings->out, "score model")->required();
-    train->add_option("--picture", settings->picture, "PNG: error by components, latent variables on the face");
+    train->add_option("--picture", settings->picture,
+                      "PNG: error by components, latent variables on the face");
     add_common_options(*train, settings->common, true);
-    train->footer("Example: mien score train --data faces.safetensors --grades grades.json --range 0 4 --out sag.safetensors");
+    train->footer(
+        "Example: mien score train --data faces.safetensors --grades grades.json --range 0 4 --out "
+        "sag.safetensors");
     train->callback([settings] { run_train(*settings); });
 
     CLI::App* predict = score->add_subcommand("predict", "the score of a fitted face");
@@ -294,34 +329,50 @@ void add_score_commands(CLI::App& app) {
     predict->footer("Example: mien score predict --model sag.safetensors --in fitted.ply");
     predict->callback([settings] { run_predict(*settings); });
 
-    CLI::App* simulate = score->add_subcommand("simulate", "a face as it would look with another score");
+    CLI::App* simulate =
+        score->add_subcommand("simulate", "a face as it would look with another score");
     simulate->add_option("--model", settings->model, "score model")->required();
     simulate->add_option("--in", settings->in, "fitted face; default: the mean face");
     simulate->add_option("--target", settings->target, "the score wanted")->required();
     simulate->add_option("--out", settings->out, "mesh")->required();
     simulate->add_option("--picture", settings->picture, "PNG: before and after");
     add_common_options(*simulate, settings->common);
-    simulate->footer("Example: mien score simulate --model sag.safetensors --in fitted.ply --target 4 --out older.ply");
+    simulate->footer(
+        "Example: mien score simulate --model sag.safetensors --in fitted.ply --target 4 --out "
+        "older.ply");
     simulate->callback([settings] { run_simulate(*settings); });
 
     CLI::App* agreement = score->add_subcommand("agreement", "how far raters agree");
-    agreement->add_option("--grades", settings->grades, "{\"grades\": [[rater 1, rater 2, ...], ...]}, null: missing")->required();
+    agreement
+        ->add_option("--grades", settings->grades,
+                     "{\"grades\": [[rater 1, rater 2, ...], ...]}, null: missing")
+        ->required();
     agreement->add_option("--grade-count", settings->grade_count, "default: the highest grade + 1");
     add_common_options(*agreement, settings->common);
     agreement->footer("Example: mien score agreement --grades grades.json --json agreement.json");
     agreement->callback([settings] { run_agreement(*settings); });
 
-    CLI::App* repeat = score->add_subcommand("repeatability", "repeatability coefficient and limit of detection");
-    repeat->add_option("--values", settings->values, "{\"captures\": [[...], ...], \"blanks\": [...]}")->required();
+    CLI::App* repeat =
+        score->add_subcommand("repeatability", "repeatability coefficient and limit of detection");
+    repeat
+        ->add_option("--values", settings->values,
+                     "{\"captures\": [[...], ...], \"blanks\": [...]}")
+        ->required();
     add_common_options(*repeat, settings->common);
     repeat->footer("Example: mien score repeatability --values volumes.json");
     repeat->callback([settings] { run_repeatability(*settings); });
 
-    CLI::App* compare = score->add_subcommand("bland-altman", "two methods, or two captures, on the same subjects");
-    compare->add_option("--values", settings->values, "{\"first\": [...], \"second\": [...]}, one of each per subject")->required();
-    compare->add_option("--picture", settings->picture, "PNG: differences over means, with the limits of agreement");
+    CLI::App* compare =
+        score->add_subcommand("bland-altman", "two methods, or two captures, on the same subjects");
+    compare
+        ->add_option("--values", settings->values,
+                     "{\"first\": [...], \"second\": [...]}, one of each per subject")
+        ->required();
+    compare->add_option("--picture", settings->picture,
+                        "PNG: differences over means, with the limits of agreement");
     add_common_options(*compare, settings->common);
-    compare->footer("Example: mien score bland-altman --values volumes.json --picture agreement.png");
+    compare->footer(
+        "Example: mien score bland-altman --values volumes.json --picture agreement.png");
     compare->callback([settings] { run_bland_altman(*settings); });
 }
 

@@ -1,4 +1,5 @@
-// mien spectral basis|split|merge|edit|mix|features|hierarchy, mien metric, mien transfer-expression.
+// mien spectral basis|split|merge|edit|mix|features|hierarchy, mien metric, mien
+// transfer-expression.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -12,11 +13,13 @@
 namespace mien::cli {
 namespace {
 
-const std::map<std::string, std::int32_t> kMassNames = {
-    {"voronoi", MIEN_MASS_MIXED_VORONOI}, {"barycentric", MIEN_MASS_BARYCENTRIC}, {"none", MIEN_MASS_NONE}};
-const std::map<std::string, std::int32_t> kCotangentNames = {{"delaunay", MIEN_COTANGENTS_INTRINSIC_DELAUNAY},
-                                                             {"clamp", MIEN_COTANGENTS_CLAMP},
-                                                             {"keep", MIEN_COTANGENTS_KEEP}};
+const std::map<std::string, std::int32_t> kMassNames = {{"voronoi", MIEN_MASS_MIXED_VORONOI},
+                                                        {"barycentric", MIEN_MASS_BARYCENTRIC},
+                                                        {"none", MIEN_MASS_NONE}};
+const std::map<std::string, std::int32_t> kCotangentNames = {
+    {"delaunay", MIEN_COTANGENTS_INTRINSIC_DELAUNAY},
+    {"clamp", MIEN_COTANGENTS_CLAMP},
+    {"keep", MIEN_COTANGENTS_KEEP}};
 const std::map<std::string, std::int32_t> kMetricNames = {{"l1", MIEN_METRIC_L1},
                                                           {"l2", MIEN_METRIC_L2},
                                                           {"hausdorff", MIEN_METRIC_HAUSDORFF},
@@ -33,7 +36,8 @@ const std::map<std::string, std::int32_t> kFeatureNames = {
 /// Everything that a command of this file may be given.
 struct Arguments {
     Common common;
-    std::string mean, basis, in, other, third, out, second_out, data, expression, validate, picture, model;
+    std::string mean, basis, in, other, third, out, second_out, data, expression, validate, picture,
+        model;
     std::uint32_t modes = 500, levels = 4, stride = 2, radius = 2;
     std::uint64_t k = 500;
     double factor = 4.0, ridge = 0.0;
@@ -60,38 +64,48 @@ std::vector<std::string> keys(const std::map<std::string, std::int32_t>& names) 
 
 void add_basis(CLI::App& group) {
     auto a = std::make_shared<Arguments>();
-    auto* sub = command(group, "basis", "Computes the spectral basis of a mean shape",
-                        "mien spectral basis --mean mean.ply --modes 500 --out basis.safetensors", a, [a] {
-        const Session session(a->common.num_threads);
-        SpectralBasisOptions options;
-        options.mode_count = a->modes;
-        options.mass = kMassNames.at(a->mass);
-        options.cotangents = kCotangentNames.at(a->cotangents);
-        options.progress = progress_bar();
-        const SpectralBasis basis = SpectralBasis::build(session, Mesh(session, a->mean), options);
-        basis.save(session, a->out);
-        write_report(a->common, {{"modes", basis.mode_count()}, {"eigenvalues", basis.eigenvalues()},
-                                 {"mass", a->mass}, {"cotangents", a->cotangents}});
-    });
+    auto* sub =
+        command(group, "basis", "Computes the spectral basis of a mean shape",
+                "mien spectral basis --mean mean.ply --modes 500 --out basis.safetensors", a, [a] {
+                    const Session session(a->common.num_threads);
+                    SpectralBasisOptions options;
+                    options.mode_count = a->modes;
+                    options.mass = kMassNames.at(a->mass);
+                    options.cotangents = kCotangentNames.at(a->cotangents);
+                    options.progress = progress_bar();
+                    const SpectralBasis basis =
+                        SpectralBasis::build(session, Mesh(session, a->mean), options);
+                    basis.save(session, a->out);
+                    write_report(a->common, {{"modes", basis.mode_count()},
+                                             {"eigenvalues", basis.eigenvalues()},
+                                             {"mass", a->mass},
+                                             {"cotangents", a->cotangents}});
+                });
     sub->add_option("--mean", a->mean, "Mean shape, a mesh")->required();
     sub->add_option("--modes", a->modes, "Number of modes k")->capture_default_str();
-    sub->add_option("--mass", a->mass, "Mass matrix")->check(CLI::IsMember(keys(kMassNames)))->capture_default_str();
+    sub->add_option("--mass", a->mass, "Mass matrix")
+        ->check(CLI::IsMember(keys(kMassNames)))
+        ->capture_default_str();
     sub->add_option("--cotangents", a->cotangents, "What to do with negative cotangents")
-        ->check(CLI::IsMember(keys(kCotangentNames)))->capture_default_str();
+        ->check(CLI::IsMember(keys(kCotangentNames)))
+        ->capture_default_str();
     sub->add_option("--out", a->out, "Basis file")->required();
 }
 
 void add_bands(CLI::App& group) {
     auto a = std::make_shared<Arguments>();
-    auto* sub = command(group, "split", "Splits a face into low and high frequencies",
-                        "mien spectral split --basis basis.safetensors --in face.ply --k 500 --low low.ply "
-                        "--high high.ply", a, [a] {
-        const Session session(a->common.num_threads);
-        const SpectralBasis basis = SpectralBasis::load(session, a->basis);
-        const Mesh face(session, a->in);
-        if (!a->out.empty()) basis.low(session, face, a->k).save(session, a->out);
-        if (!a->second_out.empty()) basis.high(session, face, a->k).save(session, a->second_out);
-    });
+    auto* sub =
+        command(group, "split", "Splits a face into low and high frequencies",
+                "mien spectral split --basis basis.safetensors --in face.ply --k 500 --low low.ply "
+                "--high high.ply",
+                a, [a] {
+                    const Session session(a->common.num_threads);
+                    const SpectralBasis basis = SpectralBasis::load(session, a->basis);
+                    const Mesh face(session, a->in);
+                    if (!a->out.empty()) basis.low(session, face, a->k).save(session, a->out);
+                    if (!a->second_out.empty())
+                        basis.high(session, face, a->k).save(session, a->second_out);
+                });
     sub->add_option("--basis", a->basis, "Basis file")->required();
     sub->add_option("--in", a->in, "Face in the basis' topology")->required();
     sub->add_option("--k", a->k, "Modes of the low band")->capture_default_str();
@@ -99,14 +113,16 @@ void add_bands(CLI::App& group) {
     sub->add_option("--high", a->second_out, "Mesh of the mean with the high frequencies");
 
     auto b = std::make_shared<Arguments>();
-    sub = command(group, "merge", "Joins the low frequencies of one face with the high ones of another",
-                  "mien spectral merge --basis basis.safetensors --low low.ply --high high.ply --k 500 "
-                  "--out face.ply", b, [b] {
-        const Session session(b->common.num_threads);
-        SpectralBasis::load(session, b->basis)
-            .assemble(session, Mesh(session, b->in), Mesh(session, b->other), b->k)
-            .save(session, b->out);
-    });
+    sub = command(
+        group, "merge", "Joins the low frequencies of one face with the high ones of another",
+        "mien spectral merge --basis basis.safetensors --low low.ply --high high.ply --k 500 "
+        "--out face.ply",
+        b, [b] {
+            const Session session(b->common.num_threads);
+            SpectralBasis::load(session, b->basis)
+                .assemble(session, Mesh(session, b->in), Mesh(session, b->other), b->k)
+                .save(session, b->out);
+        });
     sub->add_option("--basis", b->basis, "Basis file")->required();
     sub->add_option("--low", b->in, "Face that gives the low frequencies")->required();
     sub->add_option("--high", b->other, "Face that gives the high frequencies")->required();
@@ -114,29 +130,35 @@ void add_bands(CLI::App& group) {
     sub->add_option("--out", b->out, "Mesh to write")->required();
 
     auto c = std::make_shared<Arguments>();
-    sub = command(group, "edit", "Multiplies each band of a face by a gain: 0 smooths, more than 1 exaggerates",
+    sub = command(group, "edit",
+                  "Multiplies each band of a face by a gain: 0 smooths, more than 1 exaggerates",
                   "mien spectral edit --basis basis.safetensors --in face.ply --limits 100 500 "
-                  "--gains 1 1.5 0 --out edited.ply", c, [c] {
-        const Session session(c->common.num_threads);
-        SpectralBasis::load(session, c->basis)
-            .edit(session, Mesh(session, c->in), c->limits, c->values)
-            .save(session, c->out);
-    });
+                  "--gains 1 1.5 0 --out edited.ply",
+                  c, [c] {
+                      const Session session(c->common.num_threads);
+                      SpectralBasis::load(session, c->basis)
+                          .edit(session, Mesh(session, c->in), c->limits, c->values)
+                          .save(session, c->out);
+                  });
     sub->add_option("--basis", c->basis, "Basis file")->required();
     sub->add_option("--in", c->in, "Face")->required();
     sub->add_option("--limits", c->limits, "Ascending mode numbers between the bands")->required();
-    sub->add_option("--gains", c->values, "One gain a band; the last band is all beyond the last limit")->required();
+    sub->add_option("--gains", c->values,
+                    "One gain a band; the last band is all beyond the last limit")
+        ->required();
     sub->add_option("--out", c->out, "Mesh to write")->required();
 
     auto d = std::make_shared<Arguments>();
-    sub = command(group, "mix", "Moves each band of a face towards another's by its own weight",
-                  "mien spectral mix --basis basis.safetensors --in a.ply --with b.ply --limits 100 "
-                  "--weights 0 1 --out mixed.ply", d, [d] {
-        const Session session(d->common.num_threads);
-        SpectralBasis::load(session, d->basis)
-            .mix(session, Mesh(session, d->in), Mesh(session, d->other), d->limits, d->values)
-            .save(session, d->out);
-    });
+    sub = command(
+        group, "mix", "Moves each band of a face towards another's by its own weight",
+        "mien spectral mix --basis basis.safetensors --in a.ply --with b.ply --limits 100 "
+        "--weights 0 1 --out mixed.ply",
+        d, [d] {
+            const Session session(d->common.num_threads);
+            SpectralBasis::load(session, d->basis)
+                .mix(session, Mesh(session, d->in), Mesh(session, d->other), d->limits, d->values)
+                .save(session, d->out);
+        });
     sub->add_option("--basis", d->basis, "Basis file")->required();
     sub->add_option("--in", d->in, "First face, weight 0")->required();
     sub->add_option("--with", d->other, "Second face, weight 1")->required();
@@ -147,44 +169,55 @@ void add_bands(CLI::App& group) {
 
 void add_learning(CLI::App& group) {
     auto a = std::make_shared<Arguments>();
-    auto* sub = command(group, "features", "Learns a representation of faces: mean, scale and statistics",
-                        "mien spectral features --data faces.safetensors --kind dr-norm --out features.safetensors",
-                        a, [a] {
-        const Session session(a->common.num_threads);
-        const auto learned = Representation::train(session, a->data, kFeatureNames.at(a->kind));
-        learned.save(session, a->out);
-        write_report(a->common, {{"kind", a->kind}, {"channels", learned.channel_count()}});
-    });
+    auto* sub = command(
+        group, "features", "Learns a representation of faces: mean, scale and statistics",
+        "mien spectral features --data faces.safetensors --kind dr-norm --out features.safetensors",
+        a, [a] {
+            const Session session(a->common.num_threads);
+            const auto learned = Representation::train(session, a->data, kFeatureNames.at(a->kind));
+            learned.save(session, a->out);
+            write_report(a->common, {{"kind", a->kind}, {"channels", learned.channel_count()}});
+        });
     sub->add_option("--data", a->data, "Dataset")->required();
-    sub->add_option("--kind", a->kind, "Representation")->check(CLI::IsMember(keys(kFeatureNames)))->capture_default_str();
+    sub->add_option("--kind", a->kind, "Representation")
+        ->check(CLI::IsMember(keys(kFeatureNames)))
+        ->capture_default_str();
     sub->add_option("--out", a->out, "Representation file")->required();
 
     auto b = std::make_shared<Arguments>();
-    sub = command(group, "hierarchy", "Builds coarser levels of a template with maps between them",
-                  "mien spectral hierarchy --template T.ply --levels 4 --factor 4 --out levels.safetensors", b, [b] {
-        const Session session(b->common.num_threads);
-        const Mesh mesh(session, b->in);
-        const Hierarchy levels =
-            b->sampling == "quadric"
-                ? Hierarchy::quadric(session, mesh, b->levels, b->factor)
-                : Hierarchy::connectivity(session, mesh, b->levels, b->stride, b->radius);
-        levels.save(session, b->out);
-        nlohmann::json counts = nlohmann::json::array();
-        for (std::uint32_t l = 0; l < levels.level_count(); ++l) counts.push_back(levels.level(l).vertex_count());
-        write_report(b->common, {{"sampling", b->sampling}, {"vertices", counts}});
-    });
+    sub = command(
+        group, "hierarchy", "Builds coarser levels of a template with maps between them",
+        "mien spectral hierarchy --template T.ply --levels 4 --factor 4 --out levels.safetensors",
+        b, [b] {
+            const Session session(b->common.num_threads);
+            const Mesh mesh(session, b->in);
+            const Hierarchy levels =
+                b->sampling == "quadric"
+                    ? Hierarchy::quadric(session, mesh, b->levels, b->factor)
+                    : Hierarchy::connectivity(session, mesh, b->levels, b->stride, b->radius);
+            levels.save(session, b->out);
+            nlohmann::json counts = nlohmann::json::array();
+            for (std::uint32_t l = 0; l < levels.level_count(); ++l)
+                counts.push_back(levels.level(l).vertex_count());
+            write_report(b->common, {{"sampling", b->sampling}, {"vertices", counts}});
+        });
     sub->add_option("--template", b->in, "Finest mesh")->required();
     sub->add_option("--sampling", b->sampling, "How levels are made")
-        ->check(CLI::IsMember(std::vector<std::string>{"quadric", "connectivity"}))->capture_default_str();
+        ->check(CLI::IsMember(std::vector<std::string>{"quadric", "connectivity"}))
+        ->capture_default_str();
     sub->add_option("--levels", b->levels, "Levels below the template")->capture_default_str();
-    sub->add_option("--factor", b->factor, "quadric: vertices are divided by this a level")->capture_default_str();
-    sub->add_option("--stride", b->stride, "connectivity: least distance of kept vertices in edges")->capture_default_str();
-    sub->add_option("--radius", b->radius, "connectivity: edges over which the maps reach")->capture_default_str();
+    sub->add_option("--factor", b->factor, "quadric: vertices are divided by this a level")
+        ->capture_default_str();
+    sub->add_option("--stride", b->stride, "connectivity: least distance of kept vertices in edges")
+        ->capture_default_str();
+    sub->add_option("--radius", b->radius, "connectivity: edges over which the maps reach")
+        ->capture_default_str();
     sub->add_option("--out", b->out, "Hierarchy file")->required();
 }
 
 void add_metric(CLI::App& app) {
-    CLI::App* group = app.add_subcommand("metric", "Distances between two faces, geometric and perceptual");
+    CLI::App* group =
+        app.add_subcommand("metric", "Distances between two faces, geometric and perceptual");
     group->require_subcommand(1);
     const std::map<std::string, const char*> texts = {
         {"l1", "Mean of |dx| + |dy| + |dz| over the vertices, mm"},
@@ -197,12 +230,14 @@ void add_metric(CLI::App& app) {
         const std::string name = entry.first;
         const std::int32_t kind = entry.second;
         const std::string example = "mien metric " + name + " reference.ply other.ply";
-        auto* sub = command(*group, name.c_str(), texts.at(name), example.c_str(), a, [a, name, kind] {
-            const Session session(a->common.num_threads);
-            const double value = metric(session, kind, Mesh(session, a->in), Mesh(session, a->other));
-            std::printf("%.9g\n", value);
-            write_report(a->common, {{"metric", name}, {"value", value}});
-        });
+        auto* sub =
+            command(*group, name.c_str(), texts.at(name), example.c_str(), a, [a, name, kind] {
+                const Session session(a->common.num_threads);
+                const double value =
+                    metric(session, kind, Mesh(session, a->in), Mesh(session, a->other));
+                std::printf("%.9g\n", value);
+                write_report(a->common, {{"metric", name}, {"value", value}});
+            });
         sub->add_option("reference", a->in, "Reference mesh")->required();
         sub->add_option("other", a->other, "Other mesh")->required();
     }
@@ -217,7 +252,8 @@ void draw_front(const std::string& path, const std::vector<mien_band_choice>& ch
     front.label = "Pareto front";
     front.markers = true;
     std::vector<mien_band_choice> sorted = choices;
-    std::sort(sorted.begin(), sorted.end(), [](const auto& x, const auto& y) { return x.l1_mm < y.l1_mm; });
+    std::sort(sorted.begin(), sorted.end(),
+              [](const auto& x, const auto& y) { return x.l1_mm < y.l1_mm; });
     for (const auto& choice : sorted) {
         all.x.push_back(choice.l1_mm);
         all.y.push_back(choice.fmpd);
@@ -235,31 +271,39 @@ void draw_front(const std::string& path, const std::vector<mien_band_choice>& ch
 void run_transfer(const Arguments& a) {
     const Session session(a.common.num_threads);
     if (!a.in.empty()) {
-        transfer_expression(session, Mesh(session, a.in), Mesh(session, a.other), Mesh(session, a.third))
+        transfer_expression(session, Mesh(session, a.in), Mesh(session, a.other),
+                            Mesh(session, a.third))
             .save(session, a.out);
         return;
     }
     if (a.data.empty() && a.model.empty())
-        throw CLI::ValidationError("transfer-expression",
-                                   "give --source-neutral and --source-expression, or --data, or --model");
+        throw CLI::ValidationError(
+            "transfer-expression",
+            "give --source-neutral and --source-expression, or --data, or --model");
     BlendshapeOptions options;
     options.ridge = a.ridge;
     options.progress = progress_bar();
-    const BlendshapeModel model = a.model.empty()
-                                      ? BlendshapeModel::train(session, a.data, a.expression, options)
-                                      : BlendshapeModel::load(session, a.model);
+    const BlendshapeModel model =
+        a.model.empty() ? BlendshapeModel::train(session, a.data, a.expression, options)
+                        : BlendshapeModel::load(session, a.model);
     if (!a.second_out.empty()) model.save(session, a.second_out);
     std::uint64_t k = a.k;
     nlohmann::json report = {{"expression", a.expression}, {"k", k}};
     std::unique_ptr<SpectralBasis> basis;
-    if (!a.basis.empty()) basis = std::make_unique<SpectralBasis>(SpectralBasis::load(session, a.basis));
+    if (!a.basis.empty())
+        basis = std::make_unique<SpectralBasis>(SpectralBasis::load(session, a.basis));
     if (!a.validate.empty()) {
         if (!basis) throw CLI::ValidationError("--validate", "a search over k needs --basis");
-        const auto choices = model.search(session, *basis, a.validate, a.expression, a.candidates, options);
+        const auto choices =
+            model.search(session, *basis, a.validate, a.expression, a.candidates, options);
         nlohmann::json list = nlohmann::json::array();
         for (const auto& c : choices) {
-            list.push_back({{"k", c.k}, {"l1_mm", c.l1_mm}, {"dame", c.dame}, {"fmpd", c.fmpd},
-                            {"on_front", c.on_front != 0}, {"chosen", c.chosen != 0}});
+            list.push_back({{"k", c.k},
+                            {"l1_mm", c.l1_mm},
+                            {"dame", c.dame},
+                            {"fmpd", c.fmpd},
+                            {"on_front", c.on_front != 0},
+                            {"chosen", c.chosen != 0}});
             if (c.chosen != 0) k = c.k;
         }
         report["search"] = list;
@@ -275,35 +319,42 @@ void run_transfer(const Arguments& a) {
 void add_transfer(CLI::App& app) {
     auto a = std::make_shared<Arguments>();
     a->candidates = {0, 10, 20, 50, 100, 200, 300, 500, 1000000000};
-    auto* sub = command(app, "transfer-expression",
-                        "Carries an expression onto a neutral face: from one source face (deformation "
-                        "transfer), or learned from a dataset (blendshape regression in two bands)",
-                        "mien transfer-expression --source-neutral a.ply --source-expression a_smile.ply "
-                        "--target b.ply --out b_smile.ply\n  mien transfer-expression --data faces.safetensors "
-                        "--expression smile --basis basis.safetensors --k 300 --target b.ply --out b_smile.ply",
-                        a, [a] { run_transfer(*a); });
+    auto* sub = command(
+        app, "transfer-expression",
+        "Carries an expression onto a neutral face: from one source face (deformation "
+        "transfer), or learned from a dataset (blendshape regression in two bands)",
+        "mien transfer-expression --source-neutral a.ply --source-expression a_smile.ply "
+        "--target b.ply --out b_smile.ply\n  mien transfer-expression --data faces.safetensors "
+        "--expression smile --basis basis.safetensors --k 300 --target b.ply --out b_smile.ply",
+        a, [a] { run_transfer(*a); });
     auto* neutral = sub->add_option("--source-neutral", a->in, "Neutral face of the source");
-    auto* source = sub->add_option("--source-expression", a->other, "The source with the expression");
+    auto* source =
+        sub->add_option("--source-expression", a->other, "The source with the expression");
     neutral->needs(source);
     source->needs(neutral);
     sub->add_option("--data", a->data, "Dataset to learn from")->excludes(neutral);
-    sub->add_option("--model", a->model, "Blendshape model file instead of --data")->excludes(neutral);
+    sub->add_option("--model", a->model, "Blendshape model file instead of --data")
+        ->excludes(neutral);
     sub->add_option("--expression", a->expression, "Name of the expression in the dataset");
-    sub->add_option("--ridge", a->ridge, "Ridge of the regression; 0 chooses by leave-one-out error")->capture_default_str();
-    sub->add_option("--basis", a->basis, "Basis file; without it one band: k = 0 deformations, else coordinates");
+    sub->add_option("--ridge", a->ridge,
+                    "Ridge of the regression; 0 chooses by leave-one-out error")
+        ->capture_default_str();
+    sub->add_option("--basis", a->basis,
+                    "Basis file; without it one band: k = 0 deformations, else coordinates");
     sub->add_option("--k", a->k, "Modes of the low band")->capture_default_str();
     sub->add_option("--validate", a->validate, "Dataset of other subjects on which k is chosen");
     sub->add_option("--candidates", a->candidates, "Values of k to try")->capture_default_str();
     sub->add_option("--plot", a->picture, "PNG of L1 against FMPD with the Pareto front");
     sub->add_option("--model-out", a->second_out, "Blendshape model file to write");
-    sub->add_option("--target", a->third, "Neutral face of the target")->needs(
-        sub->add_option("--out", a->out, "Mesh to write"));
+    sub->add_option("--target", a->third, "Neutral face of the target")
+        ->needs(sub->add_option("--out", a->out, "Mesh to write"));
 }
 
 }  // namespace
 
 void add_spectral_commands(CLI::App& app) {
-    CLI::App* group = app.add_subcommand("spectral", "Frequency bands, representations and levels of faces");
+    CLI::App* group =
+        app.add_subcommand("spectral", "Frequency bands, representations and levels of faces");
     group->require_subcommand(1);
     add_basis(*group);
     add_bands(*group);

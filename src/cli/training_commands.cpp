@@ -32,17 +32,21 @@ void run_shard(const TrainSettings& settings) {
                                  settings.shard_rank, progress_bar(),
                                  zone_vertices(settings.zones, settings.stable));
     std::printf("%s: part %d of %d\n", settings.shard_out.c_str(), part + 1, count);
-    write_report(settings.common,
-                 {{"data", settings.data}, {"shard", settings.shard_out}, {"part", part + 1}, {"parts", count}});
+    write_report(settings.common, {{"data", settings.data},
+                                   {"shard", settings.shard_out},
+                                   {"part", part + 1},
+                                   {"parts", count}});
 }
 
 /// Figure 4.6: how far the two subspaces are from orthogonal, per number of components.
-void draw_orthogonality(const std::string& path, const nlohmann::json& report, const std::string& method) {
+void draw_orthogonality(const std::string& path, const nlohmann::json& report,
+                        const std::string& method) {
     auto curve = [&](const char* label, const char* key) {
         Curve line;
         line.label = label;
         line.y = report[key].get<std::vector<double>>();
-        for (std::size_t k = 0; k < line.y.size(); ++k) line.x.push_back(static_cast<double>(k + 1));
+        for (std::size_t k = 0; k < line.y.size(); ++k)
+            line.x.push_back(static_cast<double>(k + 1));
         return line;
     };
     std::vector<Curve> curves{curve("joint PCA", "joint_pca_orthogonality")};
@@ -108,7 +112,8 @@ void add_train(CLI::App& app) {
     auto settings = std::make_shared<TrainSettings>();
     CLI::App* train = app.add_subcommand("train", "learn an expression model from a study's faces");
     train->add_option("--data", settings->data, "dataset (safetensors)")->check(CLI::ExistingFile);
-    train->add_option("--merge", settings->merge, "train from shards instead")->check(CLI::ExistingFile);
+    train->add_option("--merge", settings->merge, "train from shards instead")
+        ->check(CLI::ExistingFile);
     train->add_option("--part", settings->part, "K/N: write the shard of part K of the data only");
     train->add_option("--shard-out", settings->shard_out, "with --part: the shard file");
     train->add_option("--shard-rank", settings->shard_rank, "directions that a shard keeps")
@@ -125,18 +130,24 @@ void add_train(CLI::App& app) {
         ->capture_default_str();
     train->add_option("--lambda", settings->lambda, "qojpca: weight of orthogonality, or auto")
         ->capture_default_str();
-    train->add_option("--zones", settings->zones, "zone file, for --stable")->check(CLI::ExistingFile);
-    train->add_option("--stable", settings->stable,
-                      "zones (comma between) that every face is aligned on, for faces with posture");
-    train->add_option("--picture", settings->picture, "PNG: orthogonality per number of components");
+    train->add_option("--zones", settings->zones, "zone file, for --stable")
+        ->check(CLI::ExistingFile);
+    train->add_option(
+        "--stable", settings->stable,
+        "zones (comma between) that every face is aligned on, for faces with posture");
+    train->add_option("--picture", settings->picture,
+                      "PNG: orthogonality per number of components");
     train->add_option("--out", settings->out, "model file");
     add_common_options(*train, settings->common);
-    train->footer("Example: mien train --data faces.safetensors --method jpca --out expr.safetensors");
+    train->footer(
+        "Example: mien train --data faces.safetensors --method jpca --out expr.safetensors");
     train->callback([settings] { run_train(*settings); });
 }
 
 }  // namespace
 
-void add_training_commands(CLI::App& app) { add_train(app); }
+void add_training_commands(CLI::App& app) {
+    add_train(app);
+}
 
 }  // namespace mien::cli

@@ -32,7 +32,8 @@ class DatasetColumns final : public ColumnSource {
         for (Index face = 0; face < dataset_->num_faces(); ++face)
             if (dataset_->expression(face) == neutral) {
                 first_neutral_of.emplace(dataset_->subject(face), face);
-                if (kept(dataset_->subject(face))) neutrals_of[dataset_->subject(face)].push_back(face);
+                if (kept(dataset_->subject(face)))
+                    neutrals_of[dataset_->subject(face)].push_back(face);
             }
         std::map<int, std::size_t> place;
         for (auto& [subject, faces] : neutrals_of) {
@@ -116,7 +117,8 @@ class DatasetColumns final : public ColumnSource {
     }
 
     /// Mean stable zone of the neutral faces: aligned to the first, averaged, and once again.
-    void find_reference(const std::vector<std::uint32_t>& stable, const std::map<int, Index>& faces) {
+    void find_reference(const std::vector<std::uint32_t>& stable,
+                        const std::map<int, Index>& faces) {
         for (std::size_t k = 0; k < stable.size(); ++k)
             if (stable[k] >= static_cast<std::uint64_t>(num_vertices))
                 fail_at(Status::invalid_argument, static_cast<std::int64_t>(k),
@@ -131,7 +133,8 @@ class DatasetColumns final : public ColumnSource {
             zones.push_back(stable_rows(points));
             if (!zones.back().allFinite())
                 fail_at(Status::corrupt, static_cast<std::int64_t>(face),
-                        "face %lld of the data set holds a value that is not finite", static_cast<long long>(face));
+                        "face %lld of the data set holds a value that is not finite",
+                        static_cast<long long>(face));
         }
         Points reference = zones[0];
         for (int round = 0; round < 2; ++round) {

@@ -30,22 +30,22 @@ class ColumnSource {
     Index num_vertices = 0;
     Triangles triangles;
     std::vector<std::string> expression_names;
-    std::vector<int> neutral_subject;          ///< subject of each X column
-    std::vector<int> displacement_subject;     ///< subject of each Y column
-    std::vector<int> displacement_expression;  ///< index into expression_names
+    std::vector<int> neutral_subject;            ///< subject of each X column
+    std::vector<int> displacement_subject;       ///< subject of each Y column
+    std::vector<int> displacement_expression;    ///< index into expression_names
     std::vector<std::uint32_t> stable_vertices;  ///< the faces are aligned on these; may be empty
-    Points stable_reference;                   ///< a row per stable vertex: where they are aligned to, mm
-    Index num_skipped = 0;                     ///< faces whose subject has no neutral face
+    Points stable_reference;  ///< a row per stable vertex: where they are aligned to, mm
+    Index num_skipped = 0;    ///< faces whose subject has no neutral face
 };
 
 /// Columns of a data set. Several neutral captures of a subject are averaged into one column of X;
-/// several captures of an expression are columns of their own. `keep_subject`, where not empty, says
-/// which subject ids take part. With stable vertices every face is first aligned rigidly on them to
-/// the mean of the neutral faces of the whole set, also of subjects that take no part: every part of a set is
-/// aligned alike. Throws Status::invalid_argument when the set has no entry "neutral"
-/// or nothing remains.
-std::unique_ptr<ColumnSource> dataset_columns(std::shared_ptr<const FaceDataset> dataset,
-                                              const std::vector<int>& keep_subject,
-                                              const std::vector<std::uint32_t>& stable_vertices = {});
+/// several captures of an expression are columns of their own. `keep_subject`, where not empty,
+/// says which subject ids take part. With stable vertices every face is first aligned rigidly on
+/// them to the mean of the neutral faces of the whole set, also of subjects that take no part:
+/// every part of a set is aligned alike. Throws Status::invalid_argument when the set has no entry
+/// "neutral" or nothing remains.
+std::unique_ptr<ColumnSource> dataset_columns(
+    std::shared_ptr<const FaceDataset> dataset, const std::vector<int>& keep_subject,
+    const std::vector<std::uint32_t>& stable_vertices = {});
 
 }  // namespace mien

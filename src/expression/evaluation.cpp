@@ -19,7 +19,8 @@ Spread spread_of(const std::vector<double>& values) {
     for (double value : values) spread.mean += value;
     spread.mean /= static_cast<double>(values.size());
     for (double value : values) spread.variance += (value - spread.mean) * (value - spread.mean);
-    spread.variance = values.size() > 1 ? spread.variance / static_cast<double>(values.size() - 1) : 0.0;
+    spread.variance =
+        values.size() > 1 ? spread.variance / static_cast<double>(values.size() - 1) : 0.0;
     return spread;
 }
 
@@ -32,11 +33,13 @@ void check_vertices(const std::vector<std::uint32_t>& vertices, Index count, con
 
 Points rows_of(const Points& points, const std::vector<std::uint32_t>& rows) {
     Points picked(static_cast<Index>(rows.size()), 3);
-    for (std::size_t k = 0; k < rows.size(); ++k) picked.row(static_cast<Index>(k)) = points.row(rows[k]);
+    for (std::size_t k = 0; k < rows.size(); ++k)
+        picked.row(static_cast<Index>(k)) = points.row(rows[k]);
     return picked;
 }
 
-ErrorSummary summary_of(const std::string& name, const std::vector<double>& means, double max_vertex) {
+ErrorSummary summary_of(const std::string& name, const std::vector<double>& means,
+                        double max_vertex) {
     ErrorSummary summary;
     summary.name = name;
     summary.count = static_cast<Index>(means.size());
@@ -98,7 +101,8 @@ EvaluatedFaces evaluate_model(const Context& context, const FaceDataset& dataset
     quiet.progress_function = nullptr;
     const double total = static_cast<double>(std::max<Index>(1, dataset.num_faces()));
     return evaluate_faces(context, dataset, options, [&](Index face, Points& vertices) {
-        vertices = neutralize(quiet, model, vertices, Vector(), options.neutralize).neutral_vertices;
+        vertices =
+            neutralize(quiet, model, vertices, Vector(), options.neutralize).neutral_vertices;
         context.progress(Stage::neutralizing, static_cast<double>(face + 1) / total);
     });
 }

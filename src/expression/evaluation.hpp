@@ -1,10 +1,10 @@
 // How well neutralization works (J 4.4): per expression the mean vertex distance between the
 // neutralized face and the subject's neutral face, and the effect of one method over another.
 //
-// Departures from J: (4.32) divides a norm by 3n and its sigma lacks a square; here a face's error is
-// the mean of its vertex distances. (4.33) is Cohen's d with the root of the mean of both variances,
-// the textbook form. (4.34) adds deviations where variances belong; here
-// P(first > second) = Phi((mu1 - mu2) / sqrt(var1 + var2)) = Phi(d / sqrt 2).
+// Departures from J: (4.32) divides a norm by 3n and its sigma lacks a square; here a face's error
+// is the mean of its vertex distances. (4.33) is Cohen's d with the root of the mean of both
+// variances, the textbook form. (4.34) adds deviations where variances belong; here P(first >
+// second) = Phi((mu1 - mu2) / sqrt(var1 + var2)) = Phi(d / sqrt 2).
 #pragma once
 
 #include <cstdint>
@@ -26,14 +26,14 @@ struct EvaluationOptions {
 };
 
 struct ErrorSummary {
-    std::string name;       ///< expression
+    std::string name;  ///< expression
     Index count = 0;
     double mean_mm = 0, deviation_mm = 0, max_vertex_mm = 0;
 };
 
 struct Effect {
-    double cohens_d = 0;          ///< positive: the second is better; NaN without spread
-    double superiority = 0.5;     ///< P(error of the first > error of the second)
+    double cohens_d = 0;       ///< positive: the second is better; NaN without spread
+    double superiority = 0.5;  ///< P(error of the first > error of the second)
 };
 
 /// Errors of one way to neutralize, one entry per dataset face whose subject has a neutral face.
@@ -46,7 +46,8 @@ struct EvaluatedFaces {
 /// Result of one face: neutralized vertices in `face`'s place.
 using Neutralizer = std::function<void(Index face, Points& vertices)>;
 
-/// Runs `neutralizer` (null: baseline) over every face of the set that has a target. Calling thread.
+/// Runs `neutralizer` (null: baseline) over every face of the set that has a target. Calling
+/// thread.
 EvaluatedFaces evaluate_faces(const Context& context, const FaceDataset& dataset,
                               const EvaluationOptions& options, const Neutralizer& neutralizer);
 /// The same with a model: options.neutralize.

@@ -1,8 +1,8 @@
 #include "expression/expression_model.hpp"
 
-#include <Eigen/Cholesky>
 #include <cmath>
 #include <cstring>
+#include <Eigen/Cholesky>
 
 #include "base/error.hpp"
 #include "base/json.hpp"
@@ -14,8 +14,9 @@ namespace {
 
 constexpr const char* kKind = "mien-expression-model";
 /// Metadata that the file format itself owns; the rest is the model's `info`.
-const char* const kOwnKeys[] = {"kind",    "format",  "units",           "sha256",
-                                "creator", "component_names", "expression_names", "topology"};
+const char* const kOwnKeys[] = {
+    "kind",    "format", "units", "sha256", "creator", "component_names", "expression_names",
+    "topology"};
 
 const TensorView& read_tensor(const SafetensorsFile& file, const char* name, DType dtype,
                               const std::vector<std::int64_t>& shape) {
@@ -67,11 +68,12 @@ void finish_expression_model(ExpressionModel& model) {
          !model.spill.identity.allFinite() || !model.spill.expression.allFinite()))
         fail(Status::corrupt, "the spill between the expression model's modes is damaged");
     if (model.triangles.size() != 0 && model.triangles.maxCoeff() >= n)
-        fail(Status::corrupt, "a triangle of the expression model names a vertex that is not there");
+        fail(Status::corrupt,
+             "a triangle of the expression model names a vertex that is not there");
     for (std::uint32_t vertex : model.stable_vertices)
         if (vertex >= static_cast<std::uint64_t>(n))
-            fail(Status::corrupt, "the expression model's stable zone names vertex %u of %lld", vertex,
-                 static_cast<long long>(n));
+            fail(Status::corrupt, "the expression model's stable zone names vertex %u of %lld",
+                 vertex, static_cast<long long>(n));
     check_positive(model.identity_deviations, "identity deviation");
     check_positive(model.expression_deviations, "expression deviation");
     if (!(model.expected_residual_mm >= 0.0) || !std::isfinite(model.expected_residual_mm))
@@ -85,8 +87,8 @@ void finish_expression_model(ExpressionModel& model) {
     const Matrix gram = model.spill.pull_gram(model.gram);
     plan->expression_gram = gram.bottomRightCorner(q, q);
     const Vector variances = model.expression_deviations.array().square();
-    plan->map = plan_part(model, gram, model.map_noise_mm2,
-                          variances.cwiseInverse().asDiagonal(), Vector::Zero(q), 0.0);
+    plan->map = plan_part(model, gram, model.map_noise_mm2, variances.cwiseInverse().asDiagonal(),
+                          Vector::Zero(q), 0.0);
     for (const ExpressionComponent& component : model.components) {
         if (component.mean.size() != q || component.covariance.rows() != q ||
             component.covariance.cols() != q || !component.mean.allFinite() ||
@@ -146,7 +148,8 @@ std::shared_ptr<const ExpressionModel> read_expression_model(const SafetensorsFi
         model->spill.identity = matrix("identity_spill", q, p);
         model->spill.expression = matrix("expression_spill", p, q);
     }
-    if (file.has("expected_residual_mm")) model->expected_residual_mm = vector("expected_residual_mm", 1)[0];
+    if (file.has("expected_residual_mm"))
+        model->expected_residual_mm = vector("expected_residual_mm", 1)[0];
     if (file.has("stable_vertices")) {
         const TensorView& view = read_tensor(file, "stable_vertices", DType::u32, {-1});
         const auto* first = static_cast<const std::uint32_t*>(view.data);
@@ -204,26 +207,30 @@ void save_expression_model(const std::string& path, const ExpressionModel& model
     metadata["component_names"] = json_string_list(names);
     metadata["expression_names"] = json_string_list(model.expression_names);
     metadata["topology"] = topology_hash(model.num_vertices(), model.triangles);
-    std::vector<TensorToWrite> tensors =
-        {{"mean", DType::f64, {n, 3}, model.mean.data()},
-         {"identity_deviations", DType::f64, {p}, model.identity_deviations.data()},
-         {"expression_deviations", DType::f64, {q}, model.expression_deviations.data()},
-         {"noise_mm2", DType::f64, {2}, noise.data()},
-         {"expected_residual_mm", DType::f64, {1}, &model.expected_residual_mm},
-         {"gram", DType::f64, {p + q, p + q}, model.gram.data()},
-         {"component_weights", DType::f64, {count}, weights.data()},
-         {"component_means", DType::f64, {count, q}, means.data()},
-         {"component_covariances", DType::f64, {count, q, q}, covariances.data()},
-         {"identity_modes", DType::f32, {p, n, 3}, model.identity_modes.data},
-         {"expression_modes", DType::f32, {q, n, 3}, model.expression_modes.data},
-         {"triangles", DType::u32, {static_cast<std::uint64_t>(model.triangles.rows()), 3},
-          model.triangles.data()}};
+    std::vector<TensorToWrite> tensors = {
+        {"mean", DType::f64, {n, 3}, model.mean.data()},
+        {"identity_deviations", DType::f64, {p}, model.identity_deviations.data()},
+        {"expression_deviations", DType::f64, {q}, model.expression_deviations.data()},
+        {"noise_mm2", DType::f64, {2}, noise.data()},
+        {"expected_residual_mm", DType::f64, {1}, &model.expected_residual_mm},
+        {"gram", DType::f64, {p + q, p + q}, model.gram.data()},
+        {"component_weights", DType::f64, {count}, weights.data()},
+        {"component_means", DType::f64, {count, q}, means.data()},
+        {"component_covariances", DType::f64, {count, q, q}, covariances.data()},
+        {"identity_modes", DType::f32, {p, n, 3}, model.identity_modes.data},
+        {"expression_modes", DType::f32, {q, n, 3}, model.expression_modes.data},
+        {"triangles",
+         DType::u32,
+         {static_cast<std::uint64_t>(model.triangles.rows()), 3},
+         model.triangles.data()}};
     if (!model.spill.empty()) {
         tensors.push_back({"identity_spill", DType::f64, {p, q}, model.spill.identity.data()});
         tensors.push_back({"expression_spill", DType::f64, {q, p}, model.spill.expression.data()});
     }
     if (!model.stable_vertices.empty())
-        tensors.push_back({"stable_vertices", DType::u32, {model.stable_vertices.size()},
+        tensors.push_back({"stable_vertices",
+                           DType::u32,
+                           {model.stable_vertices.size()},
                            model.stable_vertices.data()});
     write_safetensors(path, tensors, std::move(metadata), context);
 }

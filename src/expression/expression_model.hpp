@@ -1,5 +1,5 @@
-// What a trained expression model holds: two subspaces, one for who a person is and one for what the
-// face does, and what is known about the coordinates in each (J 4.13):
+// What a trained expression model holds: two subspaces, one for who a person is and one for what
+// the face does, and what is known about the coordinates in each (J 4.13):
 //     v = mean + P a + Q b + rest,   a ~ N(0, diag(identity deviations^2)),
 // with a spill between the two where they were trained to be orthogonal (mode_spill.hpp),
 // and b from a mixture: a face shows one of a few expressions, so every trained expression has a
@@ -29,30 +29,30 @@ struct ModesView {
 
 /// One part of the expression prior, in coordinates of the expression modes.
 struct ExpressionComponent {
-    std::string name;      ///< an expression's name, "neutral" or "any"
-    double weight = 1.0;   ///< prior probability, up to a common factor
-    Vector mean;           ///< q, mm along the unit modes
-    Matrix covariance;     ///< q x q, positive definite, mm^2
+    std::string name;     ///< an expression's name, "neutral" or "any"
+    double weight = 1.0;  ///< prior probability, up to a common factor
+    Vector mean;          ///< q, mm along the unit modes
+    Matrix covariance;    ///< q x q, positive definite, mm^2
 };
 
 struct FitPlan;
 
 /// Immutable once trained or loaded; shared freely between threads. Millimetres.
 struct ExpressionModel {
-    Points mean;                  ///< #V x 3, the mean neutral face
-    Triangles triangles;          ///< #F x 3
-    ModesView identity_modes;     ///< P, 3#V x p, orthonormal columns
-    ModesView expression_modes;   ///< Q, 3#V x q, orthonormal columns
-    Vector identity_deviations;   ///< p, standard deviation of the coordinate of each mode, mm
-    Vector expression_deviations; ///< q, root mean square of the coordinate of each mode, mm
-    Matrix gram;                  ///< (p+q) x (p+q), [P Q]' [P Q]
-    ModeSpill spill;              ///< empty for joint PCA
+    Points mean;                   ///< #V x 3, the mean neutral face
+    Triangles triangles;           ///< #F x 3
+    ModesView identity_modes;      ///< P, 3#V x p, orthonormal columns
+    ModesView expression_modes;    ///< Q, 3#V x q, orthonormal columns
+    Vector identity_deviations;    ///< p, standard deviation of the coordinate of each mode, mm
+    Vector expression_deviations;  ///< q, root mean square of the coordinate of each mode, mm
+    Matrix gram;                   ///< (p+q) x (p+q), [P Q]' [P Q]
+    ModeSpill spill;               ///< empty for joint PCA
     std::vector<ExpressionComponent> components;
-    /// Variance of one coordinate of what the modes do not explain, as the fits use it, mm^2. Larger
-    /// than the plain residual, since that residual is smooth over the face (noise.hpp).
+    /// Variance of one coordinate of what the modes do not explain, as the fits use it, mm^2.
+    /// Larger than the plain residual, since that residual is smooth over the face (noise.hpp).
     double map_noise_mm2 = 30.0, mixture_noise_mm2 = 100.0;
-    /// Distance from the fitted model per vertex, root mean square, that 95 % of new people's faces stay
-    /// under, mm; 0: not known. A face farther off was measured worse than the training faces.
+    /// Distance from the fitted model per vertex, root mean square, that 95 % of new people's faces
+    /// stay under, mm; 0: not known. A face farther off was measured worse than the training faces.
     double expected_residual_mm = 0.0;
     /// Vertices that every face is rigidly aligned on before it is fitted (posture); may be empty.
     std::vector<std::uint32_t> stable_vertices;
@@ -66,12 +66,12 @@ struct ExpressionModel {
     Index num_expression_modes() const { return expression_modes.cols; }
 };
 
-/// Checks shapes, ranges and definiteness, and computes `plan`. Every maker of a model calls it last.
-/// Throws Status::corrupt naming the part that is wrong.
+/// Checks shapes, ranges and definiteness, and computes `plan`. Every maker of a model calls it
+/// last. Throws Status::corrupt naming the part that is wrong.
 void finish_expression_model(ExpressionModel& model);
 
-/// safetensors, kind "mien-expression-model", format 1. The modes stay in the mapped file. Errors of
-/// SafetensorsFile, and Status::corrupt for numbers that are no model.
+/// safetensors, kind "mien-expression-model", format 1. The modes stay in the mapped file. Errors
+/// of SafetensorsFile, and Status::corrupt for numbers that are no model.
 std::shared_ptr<const ExpressionModel> load_expression_model(const std::string& path,
                                                              const SafetensorsReadOptions& options,
                                                              const Context& context);
@@ -80,8 +80,8 @@ std::shared_ptr<const ExpressionModel> read_expression_model(const SafetensorsFi
 void save_expression_model(const std::string& path, const ExpressionModel& model,
                            const Context& context);
 
-/// First 16 hex digits of the SHA-256 of the vertex count and the triangles: two meshes with the same
-/// value have the same topology.
+/// First 16 hex digits of the SHA-256 of the vertex count and the triangles: two meshes with the
+/// same value have the same topology.
 std::string topology_hash(Index num_vertices, const TrianglesRef& triangles);
 
 }  // namespace mien

@@ -1,7 +1,7 @@
 #include "expression/fit.hpp"
 
-#include <Eigen/Cholesky>
 #include <cmath>
+#include <Eigen/Cholesky>
 
 #include "base/dense.hpp"
 #include "base/error.hpp"
@@ -15,7 +15,8 @@ void check_options(const FitOptions& options) {
     if (!(options.tolerance >= 0.0) || !std::isfinite(options.tolerance))
         fail(Status::invalid_argument, "the sweep tolerance must be finite and not negative");
     if (!(options.noise_mm2 >= 0.0) || !std::isfinite(options.noise_mm2))
-        fail(Status::invalid_argument, "noise_mm2 must be finite and not negative (0: the model's)");
+        fail(Status::invalid_argument,
+             "noise_mm2 must be finite and not negative (0: the model's)");
 }
 
 /// Algorithm 2 in coordinates: P'P = I and Q'Q = I hold for full weights; with weights each half
@@ -66,7 +67,8 @@ Vector project_modes(const Context& context, const ModesView& modes, const Vecto
     return dense::project(context, modes.map(), displacement);
 }
 
-void add_modes(const Context& context, const ModesView& modes, const Vector& coordinates, Eigen::Ref<Vector> out) {
+void add_modes(const Context& context, const ModesView& modes, const Vector& coordinates,
+               Eigen::Ref<Vector> out) {
     dense::add_product(context, modes.map(), coordinates, out);
 }
 
@@ -102,7 +104,8 @@ Vector mode_coordinates(const ExpressionModel& model, FitMethod method, const Ve
 }
 
 Matrix mode_gram(const Context& context, const ExpressionModel& model, const Vector& weights) {
-    const Index n = model.num_vertices(), p = model.num_identity_modes(), q = model.num_expression_modes();
+    const Index n = model.num_vertices(), p = model.num_identity_modes(),
+                q = model.num_expression_modes();
     Matrix gram = Matrix::Zero(p + q, p + q), part(p + q, p + q), block;
     Vector row_weights;
     constexpr Index kBlock = 3 * 4096;
@@ -161,8 +164,8 @@ FitPlan::Part plan_part(const ExpressionModel& model, const Matrix& gram, double
         fail(Status::no_solution, "a prior of the expression model is not positive definite");
     part.solve = factor.solve(Matrix::Identity(p + q, p + q));
     part.solve = (0.5 * (part.solve + part.solve.transpose())).eval();
-    const double log_det_system =
-        2.0 * factor.matrixLLT().diagonal().array().log().sum() - static_cast<double>(p + q) * std::log(noise);
+    const double log_det_system = 2.0 * factor.matrixLLT().diagonal().array().log().sum() -
+                                  static_cast<double>(p + q) * std::log(noise);
     const double log_det_prior = 2.0 * prior.matrixLLT().diagonal().array().log().sum();
     part.log_offset = log_weight - 0.5 * log_det_system + 0.5 * log_det_prior -
                       part.mean.dot(part.gram_mean) / (2.0 * noise);
@@ -249,7 +252,8 @@ FitResult fit_face(const ExpressionModel& model, const FaceEvidence& evidence,
         const double weight = result.component_probabilities[k];
         if (weight < 1e-9) continue;  // far below what a double sum of the others would show
         const Vector apart = solutions[k].coordinates - mean;
-        result.covariance += weight * noise * (planned ? model.plan->components[k].solve : covariances[k]);
+        result.covariance +=
+            weight * noise * (planned ? model.plan->components[k].solve : covariances[k]);
         result.covariance += weight * apart * apart.transpose();
     }
     return result;

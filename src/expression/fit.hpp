@@ -3,11 +3,13 @@
 // alternating: block relaxation, Algorithm 2 of J 4.2.3, for reproduction. exact: its limit, the
 //   joint least squares of (4.14) solved at once. map: the same with Gaussian priors. mixture (the
 //   default): the prior of b is the model's mixture over expressions; each component gives a linear
-//   Gaussian estimate c_k and an evidence e_k, and the coordinates are sum_k w_k c_k, w_k ~ e_k: the
-//   posterior mean. A face that looks neutral then stays neutral, which no single Gaussian does.
+//   Gaussian estimate c_k and an evidence e_k, and the coordinates are sum_k w_k c_k, w_k ~ e_k:
+//   the posterior mean. A face that looks neutral then stays neutral, which no single Gaussian
+//   does.
 //
-// With B = [P Q] (with spill: [P + Q R, Q + P T], for map and mixture only), diagonal weights W (three equal entries per vertex), r = B' W (v - mean) and
-// G = B' W B, component k with prior precision L_k and mean m_k gives
+// With B = [P Q] (with spill: [P + Q R, Q + P T], for map and mixture only), diagonal weights W
+// (three equal entries per vertex), r = B' W (v - mean) and G = B' W B, component k with prior
+// precision L_k and mean m_k gives
 //   (G + s L_k) (c_k - m_k) = r - G m_k,  s the noise variance,
 //   log e_k = log weight_k + [(c_k - m_k)'(r - G m_k) + 2 r'm_k - m_k'G m_k] / 2s
 //             - log det(G/s + L_k) / 2 + log det(L_k) / 2 + constant.
@@ -23,19 +25,19 @@ enum class FitMethod : std::int32_t { mixture = 0, map = 1, exact = 2, alternati
 
 struct FitOptions {
     FitMethod method = FitMethod::mixture;
-    int max_sweeps = 200;      ///< alternating: at most, 1..100000
-    double tolerance = 1e-6;   ///< alternating: stop when a sweep moves the expression by less (mm
-                               ///< root mean square over all coordinates), 0: never
-    double noise_mm2 = 0.0;    ///< 0: the model's own
+    int max_sweeps = 200;     ///< alternating: at most, 1..100000
+    double tolerance = 1e-6;  ///< alternating: stop when a sweep moves the expression by less (mm
+                              ///< root mean square over all coordinates), 0: never
+    double noise_mm2 = 0.0;   ///< 0: the model's own
 };
 
 struct FitResult {
-    Vector identity;                ///< p, a
-    Vector expression;              ///< q, b
-    Matrix covariance;              ///< (p+q)^2, posterior of (a, b), mm^2; empty for exact and alternating
+    Vector identity;    ///< p, a
+    Vector expression;  ///< q, b
+    Matrix covariance;  ///< (p+q)^2, posterior of (a, b), mm^2; empty for exact and alternating
     std::vector<double> component_probabilities;  ///< of model.components; mixture only
-    int sweeps = 0;                 ///< alternating
-    bool converged = true;          ///< alternating: the stop rule was met
+    int sweeps = 0;                               ///< alternating
+    bool converged = true;                        ///< alternating: the stop rule was met
 };
 
 /// What the fit needs of one face: linear in the data, so that several faces can be combined.
@@ -53,7 +55,7 @@ struct FitPlan {
         Vector mean;             ///< p+q, zeros and the component's mean
         Vector gram_mean;        ///< G m_k
     };
-    Matrix expression_gram;      ///< q x q, E'E of what the expression coordinates move, E = Q + P T
+    Matrix expression_gram;  ///< q x q, E'E of what the expression coordinates move, E = Q + P T
     Part map;
     std::vector<Part> components;
 };
@@ -63,7 +65,8 @@ struct FitPlan {
 void check_face(const ExpressionModel& model, const PointsRef& vertices,
                 const Vector& weights_per_vertex);
 
-/// sum_i w_i B_i' B_i for the modes B = (identity, expression) and #V weights that are not negative. O(#V (p+q)^2).
+/// sum_i w_i B_i' B_i for the modes B = (identity, expression) and #V weights that are not
+/// negative. O(#V (p+q)^2).
 Matrix mode_gram(const Context& context, const ExpressionModel& model, const Vector& weights);
 
 /// Weights per vertex, >= 0, or empty for ones. O(#V (p+q)), and O(#V (p+q)^2) more with weights.
@@ -74,13 +77,13 @@ FaceEvidence gather_evidence(const Context& context, const ExpressionModel& mode
 FitResult fit_face(const ExpressionModel& model, const FaceEvidence& evidence,
                    const FitOptions& options);
 
-/// Coordinates along P and along Q of a fit with `method`: the identity's part, the expression's part, or
-/// both; empty vectors stand for zero.
+/// Coordinates along P and along Q of a fit with `method`: the identity's part, the expression's
+/// part, or both; empty vectors stand for zero.
 Vector mode_coordinates(const ExpressionModel& model, FitMethod method, const Vector& identity,
                         const Vector& expression);
 
-/// Part for a Gaussian prior with the given expression precision and mean on top of `gram`, which is that of
-/// the joint coordinates (ModeSpill::pull_gram).
+/// Part for a Gaussian prior with the given expression precision and mean on top of `gram`, which
+/// is that of the joint coordinates (ModeSpill::pull_gram).
 FitPlan::Part plan_part(const ExpressionModel& model, const Matrix& gram, double noise_mm2,
                         const Matrix& expression_precision, const Vector& expression_mean,
                         double log_weight);
@@ -88,6 +91,7 @@ FitPlan::Part plan_part(const ExpressionModel& model, const Matrix& gram, double
 /// B' y without B in double: columns of floats, sums in double over fixed chunks.
 Vector project_modes(const Context& context, const ModesView& modes, const Vector& displacement);
 /// out += modes * coordinates.
-void add_modes(const Context& context, const ModesView& modes, const Vector& coordinates, Eigen::Ref<Vector> out);
+void add_modes(const Context& context, const ModesView& modes, const Vector& coordinates,
+               Eigen::Ref<Vector> out);
 
 }  // namespace mien

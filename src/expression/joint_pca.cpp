@@ -1,8 +1,8 @@
 #include "expression/joint_pca.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <Eigen/Eigenvalues>
 
 #include "base/dense.hpp"
 #include "base/error.hpp"
@@ -75,13 +75,13 @@ JointPca joint_pca(const Context& context, const Matrix& neutrals, const Matrix&
     result.converged = false;
     for (result.iterations = 0; result.iterations < options.max_iterations && !result.converged;) {
         context.check_cancelled();
-        const Matrix identity = leading_eigenvectors(
-            result.k * identity_gram -
-                result.lambda * result.expression * result.expression.transpose(),
-            options.identity_modes, nullptr);
-        const Matrix expression = leading_eigenvectors(
-            expression_gram - result.lambda * identity * identity.transpose(),
-            options.expression_modes, nullptr);
+        const Matrix identity =
+            leading_eigenvectors(result.k * identity_gram - result.lambda * result.expression *
+                                                                result.expression.transpose(),
+                                 options.identity_modes, nullptr);
+        const Matrix expression =
+            leading_eigenvectors(expression_gram - result.lambda * identity * identity.transpose(),
+                                 options.expression_modes, nullptr);
         result.last_angle_rad = std::max(largest_angle(result.identity, identity),
                                          largest_angle(result.expression, expression));
         result.identity = identity;

@@ -18,7 +18,7 @@ enum class TrainMethod : std::int32_t { joint_pca = 0, quasi_orthogonal = 1 };
 struct JointPcaOptions {
     TrainMethod method = TrainMethod::joint_pca;
     Index identity_modes = 50, expression_modes = 50;
-    double lambda = 0.0;              ///< quasi-orthogonal; 0: lambda_factor x top eigenvalue of k XX'
+    double lambda = 0.0;  ///< quasi-orthogonal; 0: lambda_factor x top eigenvalue of k XX'
     double lambda_factor = 10.0;
     int max_iterations = 1000;
     double angle_tolerance_rad = 1e-3;  ///< largest principal angle between consecutive subspaces
@@ -27,7 +27,8 @@ struct JointPcaOptions {
 struct JointPca {
     Matrix identity, expression;  ///< r x p, r x q, orthonormal columns, strongest first
     double k = 1.0, lambda = 0.0;
-    Vector start_orthogonality;   ///< scores of joint PCA, where the quasi-orthogonal iteration starts
+    Vector
+        start_orthogonality;  ///< scores of joint PCA, where the quasi-orthogonal iteration starts
     int iterations = 0;
     double last_angle_rad = 0.0;
     bool converged = true;
@@ -41,8 +42,8 @@ JointPca joint_pca(const Context& context, const Matrix& neutrals, const Matrix&
 /// ||P_c Q_c'|| (Frobenius) with the first c columns of both, c = 1 .. min(p, q): figure 4.6.
 Vector orthogonality_scores(const Matrix& identity, const Matrix& expression);
 
-/// Leading eigenvectors (up to `count`, eigenvalue above 1e-12 of the largest) of a symmetric matrix,
-/// each with its largest component positive.
+/// Leading eigenvectors (up to `count`, eigenvalue above 1e-12 of the largest) of a symmetric
+/// matrix, each with its largest component positive.
 Matrix leading_eigenvectors(const Matrix& symmetric, Index count, Vector* values);
 
 }  // namespace mien

@@ -1,8 +1,8 @@
 #include "expression/joint_span.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <cstdint>
+#include <Eigen/Eigenvalues>
 
 #include "base/dense.hpp"
 #include "base/error.hpp"
@@ -50,8 +50,8 @@ class PassCounter {
     int total_, done_ = 0;
 };
 
-/// Leading `rank` directions of the columns by block power iteration; where that is all of them, the columns'
-/// own span, which keeps the weakest ones too.
+/// Leading `rank` directions of the columns by block power iteration; where that is all of them,
+/// the columns' own span, which keeps the weakest ones too.
 Matrix leading_directions(const Context& context, const ColumnSource& source, bool identity,
                           const Vector& mean, Index rank, int passes, Matrix& buffer,
                           PassCounter& counter) {
@@ -94,13 +94,15 @@ Matrix leading_directions(const Context& context, const ColumnSource& source, bo
 }  // namespace
 
 void orthonormalize(const Context& context, Matrix& block) {
-    // Twice: the first round leaves an error of the order of the squared condition, the second none.
+    // Twice: the first round leaves an error of the order of the squared condition, the second
+    // none.
     for (int round = 0; round < 2; ++round) {
         Matrix gram(block.cols(), block.cols());
         dense::weighted_gram(context, block, Vector(), gram);
         const Eigen::SelfAdjointEigenSolver<Matrix> eigen(gram);
         if (eigen.info() != Eigen::Success)
-            fail(Status::no_solution, "the orthonormalisation of the training data did not converge");
+            fail(Status::no_solution,
+                 "the orthonormalisation of the training data did not converge");
         const Vector values = eigen.eigenvalues().reverse();
         Index rank = 0;
         while (rank < values.size() && values[rank] > 1e-14 * values[0]) ++rank;
@@ -119,7 +121,8 @@ JointSpan find_joint_span(const Context& context, const ColumnSource& source,
                           const JointSpanOptions& options) {
     if (options.identity_rank < 1 || options.expression_rank < 1 || options.passes < 1 ||
         options.passes > 50)
-        fail(Status::invalid_argument, "the joint span needs ranks of at least 1 and 1 to 50 passes");
+        fail(Status::invalid_argument,
+             "the joint span needs ranks of at least 1 and 1 to 50 passes");
     const Index rows = source.num_rows();
     const Index identity_rank =
         std::min(options.identity_rank, std::max<Index>(1, source.num_neutrals() - 1));
@@ -132,15 +135,16 @@ JointSpan find_joint_span(const Context& context, const ColumnSource& source,
 
     JointSpan span;
     Vector sum = Vector::Zero(rows);
-    for_each_block(source, true, Vector::Zero(rows), buffer, [&](Index, auto block) { sum += block.rowwise().sum(); });
+    for_each_block(source, true, Vector::Zero(rows), buffer,
+                   [&](Index, auto block) { sum += block.rowwise().sum(); });
     span.mean = sum / static_cast<double>(source.num_neutrals());
     counter.step();
 
     {
         const Matrix identity = leading_directions(context, source, true, span.mean, identity_rank,
                                                    options.passes, buffer, counter);
-        const Matrix expression = leading_directions(context, source, false, span.mean,
-                                                     expression_rank, options.passes, buffer, counter);
+        const Matrix expression = leading_directions(
+            context, source, false, span.mean, expression_rank, options.passes, buffer, counter);
         span.basis.resize(rows, identity.cols() + expression.cols());
         span.basis << identity, expression;
     }

@@ -16,7 +16,8 @@ Matrix regress(const Matrix& predictors, const Matrix& targets) {
     gram.diagonal().array() += kRidgeShare * gram.trace() / static_cast<double>(gram.rows());
     const Eigen::LLT<Matrix> factor(gram);
     if (factor.info() != Eigen::Success)
-        fail(Status::no_solution, "identity and expression modes of the training cannot be related");
+        fail(Status::no_solution,
+             "identity and expression modes of the training cannot be related");
     return factor.solve(predictors * targets.transpose()).transpose();
 }
 

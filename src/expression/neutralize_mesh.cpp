@@ -1,8 +1,8 @@
 #include "expression/neutralize_mesh.hpp"
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <Eigen/SparseCholesky>
 
 #include "base/error.hpp"
 #include "geometry/laplacian.hpp"
@@ -44,8 +44,8 @@ Points extend_displacement(const PointsRef& vertices, const TrianglesRef& triang
         for (SparseMatrix::InnerIterator entry(laplace.stiffness, column); entry; ++entry) {
             if (entry.row() < n) continue;
             if (column >= n)
-                entries.emplace_back(static_cast<int>(entry.row() - n), static_cast<int>(column - n),
-                                     entry.value());
+                entries.emplace_back(static_cast<int>(entry.row() - n),
+                                     static_cast<int>(column - n), entry.value());
             else
                 right.row(entry.row() - n) -= entry.value() * known.row(column);
         }
@@ -69,20 +69,23 @@ TopologyMatch require_match(const ExpressionModel& model, const TriMesh& mesh) {
         fail(Status::mismatch,
              "the face (%lld vertices) is not in the expression model's topology (%lld vertices): "
              "register it with the template that the model's faces were made with",
-             static_cast<long long>(mesh.vertices.rows()), static_cast<long long>(model.num_vertices()));
+             static_cast<long long>(mesh.vertices.rows()),
+             static_cast<long long>(model.num_vertices()));
     return match;
 }
 
-Vector weights_before_rim(const ExpressionModel& model, const TriMesh& mesh, const Vector& weights) {
+Vector weights_before_rim(const ExpressionModel& model, const TriMesh& mesh,
+                          const Vector& weights) {
     if (weights.size() == 0) return weights;
     if (weights.size() != mesh.vertices.rows())
-        fail(Status::mismatch, "%lld weights for %lld vertices", static_cast<long long>(weights.size()),
-             static_cast<long long>(mesh.vertices.rows()));
+        fail(Status::mismatch, "%lld weights for %lld vertices",
+             static_cast<long long>(weights.size()), static_cast<long long>(mesh.vertices.rows()));
     return weights.head(model.num_vertices());
 }
 
 /// The mesh with its first vertices replaced and the others following them.
-Points carried(const PointsRef& vertices, const TrianglesRef& triangles, const Points& first, double decay_mm) {
+Points carried(const PointsRef& vertices, const TrianglesRef& triangles, const Points& first,
+               double decay_mm) {
     const Points moved = first - vertices.topRows(first.rows());
     return vertices + extend_displacement(vertices, triangles, moved, decay_mm);
 }
@@ -95,9 +98,11 @@ NeutralizationResult neutralize_mesh(const Context& context, const ExpressionMod
     const Index n = model.num_vertices(), all = mesh.vertices.rows();
     if (require_match(model, mesh) == TopologyMatch::same)
         return neutralize(context, model, mesh.vertices, weights, options.neutralize);
-    NeutralizationResult result = neutralize(context, model, mesh.vertices.topRows(n),
-                                             weights_before_rim(model, mesh, weights), options.neutralize);
-    result.neutral_vertices = carried(mesh.vertices, mesh.triangles, result.neutral_vertices, options.decay_mm);
+    NeutralizationResult result =
+        neutralize(context, model, mesh.vertices.topRows(n),
+                   weights_before_rim(model, mesh, weights), options.neutralize);
+    result.neutral_vertices =
+        carried(mesh.vertices, mesh.triangles, result.neutral_vertices, options.decay_mm);
     if (result.uncertainty_mm.size() != 0) {
         Vector uncertainty = Vector::Zero(all);
         uncertainty.head(n) = result.uncertainty_mm;
@@ -112,7 +117,8 @@ SeriesResult neutralize_series_meshes(const Context& context, const ExpressionMo
                                       double decay_mm) {
     if (meshes.empty()) fail(Status::invalid_argument, "a series needs at least one scan");
     if (!weights.empty() && weights.size() != meshes.size())
-        fail(Status::mismatch, "weights of %zu faces for a series of %zu", weights.size(), meshes.size());
+        fail(Status::mismatch, "weights of %zu faces for a series of %zu", weights.size(),
+             meshes.size());
     const Index n = model.num_vertices();
     std::vector<SeriesScan> scans;
     bool larger = false;
@@ -120,8 +126,9 @@ SeriesResult neutralize_series_meshes(const Context& context, const ExpressionMo
         const TriMesh& mesh = *meshes[k];
         larger = require_match(model, mesh) == TopologyMatch::prefix;
         if (mesh.vertices.rows() != meshes[0]->vertices.rows())
-            fail(Status::mismatch, "face %zu of the series has %lld vertices, the first one %lld", k,
-                 static_cast<long long>(mesh.vertices.rows()), static_cast<long long>(meshes[0]->vertices.rows()));
+            fail(Status::mismatch, "face %zu of the series has %lld vertices, the first one %lld",
+                 k, static_cast<long long>(mesh.vertices.rows()),
+                 static_cast<long long>(meshes[0]->vertices.rows()));
         scans.push_back({mesh.vertices.topRows(n),
                          weights.empty() ? Vector() : weights_before_rim(model, mesh, weights[k])});
     }
@@ -132,16 +139,19 @@ SeriesResult neutralize_series_meshes(const Context& context, const ExpressionMo
     if (larger) {
         auto& zone = options.changing_zone;
         zone.erase(std::remove_if(zone.begin(), zone.end(),
-                                  [n](std::uint32_t vertex) { return vertex >= static_cast<std::uint64_t>(n); }),
+                                  [n](std::uint32_t vertex) {
+                                      return vertex >= static_cast<std::uint64_t>(n);
+                                  }),
                    zone.end());
     }
     SeriesResult result = neutralize_series(context, model, scans, options);
     if (!larger) return result;
     for (std::size_t k = 0; k < meshes.size(); ++k)
-        result.neutral_vertices[k] =
-            carried(meshes[k]->vertices, meshes[k]->triangles, result.neutral_vertices[k], decay_mm);
+        result.neutral_vertices[k] = carried(meshes[k]->vertices, meshes[k]->triangles,
+                                             result.neutral_vertices[k], decay_mm);
     const Points first = result.poses[0].inverse().apply(PointsRef(meshes[0]->vertices));
-    result.identity_vertices = carried(first, meshes[0]->triangles, result.identity_vertices, decay_mm);
+    result.identity_vertices =
+        carried(first, meshes[0]->triangles, result.identity_vertices, decay_mm);
     return result;
 }
 

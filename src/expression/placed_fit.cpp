@@ -1,9 +1,9 @@
 #include "expression/placed_fit.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 
 #include "base/error.hpp"
 #include "geometry/alignment.hpp"
@@ -12,13 +12,14 @@ namespace mien {
 namespace {
 
 constexpr int kPoseRounds = 8;
-constexpr double kSettledMm = 1e-3;        ///< a pose that moves no more
+constexpr double kSettledMm = 1e-3;  ///< a pose that moves no more
 constexpr int kDoubtRounds = 4;
-constexpr double kDoubtScale = 1.2;        ///< k, of the residual that 95 % of new people stay under
-constexpr double kFlexibleShare = 0.1;     ///< noise of the flexible fit, of the model's
-constexpr double kMaxNoiseFactor = 100.0;  ///< for faces that are worse than the training's all over
-constexpr double kTurnUnit = 0.01;         ///< rad per unit of a turn coordinate: a millimetre or so
-constexpr double kPoseVariance = 100.0;    ///< wide; keeps the system definite when little is visible
+constexpr double kDoubtScale = 1.2;     ///< k, of the residual that 95 % of new people stay under
+constexpr double kFlexibleShare = 0.1;  ///< noise of the flexible fit, of the model's
+constexpr double kMaxNoiseFactor =
+    100.0;                               ///< for faces that are worse than the training's all over
+constexpr double kTurnUnit = 0.01;       ///< rad per unit of a turn coordinate: a millimetre or so
+constexpr double kPoseVariance = 100.0;  ///< wide; keeps the system definite when little is visible
 
 using Pose6 = Eigen::Matrix<double, 6, 1>;
 
@@ -65,7 +66,11 @@ class FaceFitter {
   public:
     FaceFitter(const Context& context, const ExpressionModel& model, const PointsRef& vertices,
                const Vector& weights, const FitOptions& options)
-        : context_(context), model_(model), vertices_(vertices), given_(weights), options_(options),
+        : context_(context),
+          model_(model),
+          vertices_(vertices),
+          given_(weights),
+          options_(options),
           centre_(model.mean.colwise().mean()) {}
 
     /// In the frame given, or with a pose fitted from there on.
@@ -78,7 +83,8 @@ class FaceFitter {
         return placed;
     }
 
-    /// Doubts what nothing explains, if the face is farther from its fit than new people's faces are.
+    /// Doubts what nothing explains, if the face is farther from its fit than new people's faces
+    /// are.
     void doubt(PlacedFit& placed, bool free_pose) const {
         const double expected = model_.expected_residual_mm;
         if (!has_prior() || options_.noise_mm2 > 0.0 || !(expected > 0.0) ||
@@ -97,8 +103,9 @@ class FaceFitter {
         }
         placed.noise_mm2 = own_noise();
         step(placed, weights, free_pose);
-        // What is left all over the face is error that the modes could not even absorb: they absorbed the
-        // larger part of it, so that the noise has to grow faster than the square of what is left to see.
+        // What is left all over the face is error that the modes could not even absorb: they
+        // absorbed the larger part of it, so that the noise has to grow faster than the square of
+        // what is left to see.
         const double excess = placed.residual_rms_mm / expected;
         if (excess > 1.0) {
             placed.noise_mm2 *= std::min(kMaxNoiseFactor, excess * excess * excess * excess);
@@ -106,7 +113,8 @@ class FaceFitter {
         }
         placed.doubted_share = 1.0 - weights.sum() / all;
         placed.residual_rms_mm = root_mean_square(
-            distances(placed.to_model.apply(vertices_), along(placed.fit), Vector(), given_), given_);
+            distances(placed.to_model.apply(vertices_), along(placed.fit), Vector(), given_),
+            given_);
     }
 
   private:
@@ -115,7 +123,8 @@ class FaceFitter {
     }
     double own_noise() const {
         if (options_.noise_mm2 > 0.0) return options_.noise_mm2;
-        return options_.method == FitMethod::mixture ? model_.mixture_noise_mm2 : model_.map_noise_mm2;
+        return options_.method == FitMethod::mixture ? model_.mixture_noise_mm2
+                                                     : model_.map_noise_mm2;
     }
     Vector along(const FitResult& fit) const {
         return mode_coordinates(model_, options_.method, fit.identity, fit.expression);
@@ -128,7 +137,8 @@ class FaceFitter {
         const Vector3 axis = Vector3::Unit(k % 3);
         for (Index i = 0; i < n; ++i)
             column.segment<3>(3 * i) =
-                k < 3 ? axis : Vector3(kTurnUnit * axis.cross(model_.mean.row(i).transpose() - centre_));
+                k < 3 ? axis
+                      : Vector3(kTurnUnit * axis.cross(model_.mean.row(i).transpose() - centre_));
         return column;
     }
 
@@ -171,7 +181,8 @@ class FaceFitter {
         if (equations.cross.size() == 0) return equations.modes;
         const Eigen::LDLT<Matrix> turn(equations.turn);
         FaceEvidence evidence;
-        evidence.projection = equations.modes.projection - equations.cross * turn.solve(equations.pull);
+        evidence.projection =
+            equations.modes.projection - equations.cross * turn.solve(equations.pull);
         const Matrix& gram = equations.modes.gram.size() != 0 ? equations.modes.gram : model_.gram;
         evidence.gram = gram - equations.cross * turn.solve(equations.cross.transpose());
         evidence.gram = (0.5 * (evidence.gram + evidence.gram.transpose())).eval();
@@ -199,36 +210,43 @@ class FaceFitter {
 
     /// One fit; the pose follows.
     double step(PlacedFit& placed, const Vector& weights, bool free_pose) const {
-        const Points moved = identity_motion(placed.to_model) ? Points(vertices_)
-                                                              : placed.to_model.apply(vertices_);
+        const Points moved =
+            identity_motion(placed.to_model) ? Points(vertices_) : placed.to_model.apply(vertices_);
         const Equations equations = gather(moved, weights, free_pose);
         FitOptions options = options_;
         if (has_prior()) options.noise_mm2 = placed.noise_mm2;
         placed.fit = fit_face(model_, without_pose(equations), options);
         const Vector coordinates = along(placed.fit), g = pose_of(equations, coordinates);
         if (g.size() != 0) {
-            placed.residual_rms_mm = root_mean_square(distances(moved, coordinates, g, weights), weights);
+            placed.residual_rms_mm =
+                root_mean_square(distances(moved, coordinates, g, weights), weights);
         } else {  // from the small matrices alone
-            const Matrix& gram = equations.modes.gram.size() != 0 ? equations.modes.gram : model_.gram;
-            const double rest = equations.energy +
-                                coordinates.dot(gram * coordinates - 2.0 * equations.modes.projection);
+            const Matrix& gram =
+                equations.modes.gram.size() != 0 ? equations.modes.gram : model_.gram;
+            const double rest =
+                equations.energy +
+                coordinates.dot(gram * coordinates - 2.0 * equations.modes.projection);
             placed.residual_rms_mm =
                 equations.total > 0.0 ? std::sqrt(std::max(0.0, rest) / equations.total) : 0.0;
         }
         return turn_back(placed.to_model, g);
     }
 
-    /// The fit that explains most: all expressions at once and little noise. Returns what it leaves.
+    /// The fit that explains most: all expressions at once and little noise. Returns what it
+    /// leaves.
     Vector flexible_step(Similarity& to_model, const Vector& weights, bool free_pose) const {
-        const Points moved = identity_motion(to_model) ? Points(vertices_) : to_model.apply(vertices_);
+        const Points moved =
+            identity_motion(to_model) ? Points(vertices_) : to_model.apply(vertices_);
         const Equations equations = gather(moved, weights, free_pose);
         const FaceEvidence evidence = without_pose(equations);
         const double noise = kFlexibleShare * own_noise();
         const Matrix& gram = evidence.gram.size() != 0 ? evidence.gram : model_.gram;
         Matrix system = model_.spill.pull_gram(gram);
         const Index p = model_.num_identity_modes(), q = model_.num_expression_modes();
-        system.diagonal().head(p) += noise * model_.identity_deviations.array().square().inverse().matrix();
-        system.diagonal().tail(q) += noise * model_.expression_deviations.array().square().inverse().matrix();
+        system.diagonal().head(p) +=
+            noise * model_.identity_deviations.array().square().inverse().matrix();
+        system.diagonal().tail(q) +=
+            noise * model_.expression_deviations.array().square().inverse().matrix();
         const Vector solved =
             Eigen::LDLT<Matrix>(system).solve(model_.spill.pull_vector(evidence.projection));
         const Vector coordinates = model_.spill.along_modes(solved.head(p), solved.tail(q));
@@ -250,12 +268,14 @@ class FaceFitter {
         Vector distance = Vector::Zero(n);
         for (Index i = 0; i < n; ++i)
             if (weights.size() == 0 || given_.size() == 0 || given_[i] != 0.0)
-                distance[i] = (moved.row(i) - model_.mean.row(i) - made.segment<3>(3 * i).transpose()).norm();
+                distance[i] =
+                    (moved.row(i) - model_.mean.row(i) - made.segment<3>(3 * i).transpose()).norm();
         return distance;
     }
 
     static double root_mean_square(const Vector& distance, const Vector& weights) {
-        if (weights.size() == 0) return std::sqrt(distance.squaredNorm() / static_cast<double>(distance.size()));
+        if (weights.size() == 0)
+            return std::sqrt(distance.squaredNorm() / static_cast<double>(distance.size()));
         const double total = weights.sum();
         return total > 0.0 ? std::sqrt(weights.dot(distance.cwiseAbs2()) / total) : 0.0;
     }
@@ -270,8 +290,9 @@ class FaceFitter {
 
 }  // namespace
 
-PlacedFit place_and_fit(const Context& context, const ExpressionModel& model, const PointsRef& vertices,
-                        const Vector& weights, const FitOptions& options, Pose pose) {
+PlacedFit place_and_fit(const Context& context, const ExpressionModel& model,
+                        const PointsRef& vertices, const Vector& weights, const FitOptions& options,
+                        Pose pose) {
     const FaceFitter fitter(context, model, vertices, weights, options);
     PlacedFit placed;
     bool free_pose = pose == Pose::rigid;
@@ -283,7 +304,8 @@ PlacedFit place_and_fit(const Context& context, const ExpressionModel& model, co
         const Similarity start = align_weighted(vertices, model.mean, weights);
         if (!free_pose) {
             placed = fitter.fit(Similarity(), false);
-            // A wide open mouth may look like a turned head at first; what the model cannot explain decides.
+            // A wide open mouth may look like a turned head at first; what the model cannot explain
+            // decides.
             if (is_far(start, model.mean)) {
                 PlacedFit moved = fitter.fit(start, true);
                 free_pose = moved.residual_rms_mm < 0.6 * placed.residual_rms_mm;

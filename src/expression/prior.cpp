@@ -1,8 +1,8 @@
 #include "expression/prior.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <Eigen/LU>
 #include <map>
 #include <memory>
 
@@ -41,15 +41,16 @@ void plan_with_noise(ExpressionModel& model, double noise) {
     plan->map = plan_part(model, model.gram, noise, variances.cwiseInverse().asDiagonal(),
                           Vector::Zero(q), 0.0);
     for (const ExpressionComponent& component : model.components)
-        plan->components.push_back(plan_part(model, model.gram, noise, component.covariance.inverse(),
-                                             component.mean, std::log(component.weight)));
+        plan->components.push_back(plan_part(model, model.gram, noise,
+                                             component.covariance.inverse(), component.mean,
+                                             std::log(component.weight)));
     model.plan = std::move(plan);
 }
 
 struct Fold {
     ExpressionModel model;
-    Matrix faces, truths;        ///< r x t, face - mean and true displacement in span coordinates
-    Matrix modes;                ///< r x (p+q)
+    Matrix faces, truths;  ///< r x t, face - mean and true displacement in span coordinates
+    Matrix modes;          ///< r x (p+q)
 };
 
 }  // namespace
@@ -95,10 +96,9 @@ std::vector<ExpressionComponent> expression_components(const Matrix& coordinates
         ExpressionComponent component;
         component.name = names[static_cast<std::size_t>(index)];
         component.mean = own.sum / static_cast<double>(own.count);
-        component.covariance =
-            (own.scatter + options.pooled_samples * pooled) /
-                (static_cast<double>(own.count - 1) + options.pooled_samples) +
-            options.floor_share * total;
+        component.covariance = (own.scatter + options.pooled_samples * pooled) /
+                                   (static_cast<double>(own.count - 1) + options.pooled_samples) +
+                               options.floor_share * total;
         components.push_back(std::move(component));
     }
     components.push_back({"any", 1.0, Vector::Zero(q), total});
@@ -116,9 +116,11 @@ NoiseLevels estimate_noise(const Context& context, const ColumnSource& source,
     const Index num_folds = std::min<Index>(4, m);
     if (m < 4) return levels;  // too few to leave some out: the defaults
 
-    // Folds go by the sorted subject ids, so that the order of the columns (shards) does not matter.
+    // Folds go by the sorted subject ids, so that the order of the columns (shards) does not
+    // matter.
     std::map<int, Index> column_of, rank_of;
-    for (Index k = 0; k < m; ++k) column_of[source.neutral_subject[static_cast<std::size_t>(k)]] = k;
+    for (Index k = 0; k < m; ++k)
+        column_of[source.neutral_subject[static_cast<std::size_t>(k)]] = k;
     for (const auto& [subject, column] : column_of) {
         const Index rank = static_cast<Index>(rank_of.size());
         rank_of[subject] = rank;

@@ -26,7 +26,9 @@ void add_model(JsonText& json, const ExpressionModel& model) {
 
 void add_errors(JsonText& json, const char* key, const ErrorSummary& summary) {
     json.key(key).begin_object();
-    json.field("mean_mm", summary.mean_mm).field("sd_mm", summary.deviation_mm).field("max_vertex_mm", summary.max_vertex_mm);
+    json.field("mean_mm", summary.mean_mm)
+        .field("sd_mm", summary.deviation_mm)
+        .field("max_vertex_mm", summary.max_vertex_mm);
     json.end_object();
 }
 
@@ -39,7 +41,8 @@ std::vector<double> errors_of(const EvaluatedFaces& faces, int expression, int n
     return values;
 }
 
-void add_effect(JsonText& json, const char* key, const std::vector<double>& first, const std::vector<double>& second) {
+void add_effect(JsonText& json, const char* key, const std::vector<double>& first,
+                const std::vector<double>& second) {
     const Effect effect = effect_size(first, second);
     json.key(key).begin_object();
     json.field("cohens_d", effect.cohens_d).field("superiority", effect.superiority).end_object();
@@ -61,7 +64,8 @@ std::string evaluation_json(const FaceDataset& dataset, const EvaluatedFaces& ba
         add_effect(json, "effect_over_baseline", errors_of(baseline, expression, neutral), errors);
         if (other != nullptr) {
             add_errors(json, "against", *other);
-            add_effect(json, "effect_over_against", errors_of(*against, expression, neutral), errors);
+            add_effect(json, "effect_over_against", errors_of(*against, expression, neutral),
+                       errors);
         }
         json.end_object();
     };
@@ -71,9 +75,10 @@ std::string evaluation_json(const FaceDataset& dataset, const EvaluatedFaces& ba
         against != nullptr ? summarize(*against, names) : std::vector<ErrorSummary>();
     json.begin_object().key("expressions").begin_array();
     for (std::size_t k = 0; k < own.size(); ++k) {
-        const int expression = static_cast<int>(
-            std::find(names.begin(), names.end(), own[k].name) - names.begin());
-        add_row(own[k].name, expression, untouched[k], own[k], against != nullptr ? &other[k] : nullptr);
+        const int expression =
+            static_cast<int>(std::find(names.begin(), names.end(), own[k].name) - names.begin());
+        add_row(own[k].name, expression, untouched[k], own[k],
+                against != nullptr ? &other[k] : nullptr);
     }
     json.end_array().key("all");
     const ErrorSummary all_other =
@@ -114,7 +119,8 @@ std::string training_json(const ExpressionModel& model, const TrainReport& repor
 
 std::string neutralization_json(const ExpressionModel& model, const NeutralizationResult& result) {
     JsonText json;
-    json.begin_object().field("mean_displacement_mm", result.mean_displacement_mm)
+    json.begin_object()
+        .field("mean_displacement_mm", result.mean_displacement_mm)
         .field("max_displacement_mm", result.max_displacement_mm)
         .field("rms_displacement_mm", result.rms_displacement_mm)
         .field("rms_uncertainty_mm", result.rms_uncertainty_mm)

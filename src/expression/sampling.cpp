@@ -1,7 +1,7 @@
 #include "expression/sampling.hpp"
 
-#include <Eigen/Cholesky>
 #include <cmath>
+#include <Eigen/Cholesky>
 
 #include "base/error.hpp"
 #include "base/json.hpp"
@@ -15,7 +15,8 @@ namespace {
 /// Counter-based: splitmix64 and Box-Muller, so that no library's generator enters the result.
 class Normal {
   public:
-    explicit Normal(std::uint64_t seed) : state_(seed * 0x9e3779b97f4a7c15ull + 0x632be59bd9b4e019ull) {}
+    explicit Normal(std::uint64_t seed)
+        : state_(seed * 0x9e3779b97f4a7c15ull + 0x632be59bd9b4e019ull) {}
     double operator()() {
         const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));
         return radius * std::cos(6.283185307179586 * uniform());
@@ -63,8 +64,9 @@ Points sample_face(const Context& context, const ExpressionModel& model, std::ui
     return synthesize_face(context, model, sample.identity, sample.expression);
 }
 
-Points transfer_expression(const Context& context, const ExpressionModel& model, const TriMesh& neutral,
-                           const Similarity& pose, const Vector& expression) {
+Points transfer_expression(const Context& context, const ExpressionModel& model,
+                           const TriMesh& neutral, const Similarity& pose,
+                           const Vector& expression) {
     const TopologyMatch match = match_topology(model, neutral.vertices.rows(), neutral.triangles);
     if (match == TopologyMatch::none || expression.size() != model.num_expression_modes())
         fail(Status::mismatch, "the face or the expression belongs to another expression model");
@@ -73,8 +75,8 @@ Points transfer_expression(const Context& context, const ExpressionModel& model,
         Eigen::Map<const Points>(moved.data(), model.num_vertices(), 3) * pose.rotation.transpose();
     if (match == TopologyMatch::same) return neutral.vertices + displacement;
     const NeutralizeMeshOptions defaults;
-    return neutral.vertices +
-           extend_displacement(neutral.vertices, neutral.triangles, displacement, defaults.decay_mm);
+    return neutral.vertices + extend_displacement(neutral.vertices, neutral.triangles, displacement,
+                                                  defaults.decay_mm);
 }
 
 }  // namespace mien

@@ -22,9 +22,10 @@ SampledCoordinates sample_coordinates(const ExpressionModel& model, std::uint64_
 Points sample_face(const Context& context, const ExpressionModel& model, std::uint64_t seed,
                    const std::string& expression);
 
-/// A neutral face with an expression of the model added: the face may be larger than the model, as in
-/// neutralize_mesh(); `pose` takes the model's frame into the face's.
-Points transfer_expression(const Context& context, const ExpressionModel& model, const TriMesh& neutral,
-                           const Similarity& pose, const Vector& expression);
+/// A neutral face with an expression of the model added: the face may be larger than the model, as
+/// in neutralize_mesh(); `pose` takes the model's frame into the face's.
+Points transfer_expression(const Context& context, const ExpressionModel& model,
+                           const TriMesh& neutral, const Similarity& pose,
+                           const Vector& expression);
 
 }  // namespace mien

@@ -1,8 +1,8 @@
 #include "expression/scan_transfer.hpp"
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <Eigen/SparseCholesky>
 #include <vector>
 
 #include "base/error.hpp"
@@ -13,8 +13,8 @@
 namespace mien {
 namespace {
 
-constexpr double kFarWeight = 0.05;    ///< pull of the rigid motion on far pieces
-constexpr Index kMaxAnchors = 4000;    ///< confident neighbours that a rigid motion is fitted to
+constexpr double kFarWeight = 0.05;  ///< pull of the rigid motion on far pieces
+constexpr Index kMaxAnchors = 4000;  ///< confident neighbours that a rigid motion is fitted to
 
 /// Neighbours per vertex as one array with offsets.
 struct Adjacency {
@@ -68,7 +68,8 @@ void move_far_pieces(const Points& vertices, const Triangles& triangles,
                 if (far[other]) {
                     if (!done[other]) piece.push_back(other);
                     done[other] = 1;
-                } else if (ring[other] != stamp && static_cast<Index>(anchors.size()) < kMaxAnchors) {
+                } else if (ring[other] != stamp &&
+                           static_cast<Index>(anchors.size()) < kMaxAnchors) {
                     ring[other] = stamp;
                     anchors.push_back(other);
                 }
@@ -94,7 +95,8 @@ ScanTransferResult transfer_to_scan(const Context& context, const TriMesh& fitte
                                     const ScanTransferOptions& options) {
     if (!(options.max_distance_mm > 0.0) || !std::isfinite(options.max_distance_mm) ||
         !(options.smoothing_mm >= 0.0) || !std::isfinite(options.smoothing_mm))
-        fail(Status::invalid_argument, "max_distance_mm must be positive, smoothing_mm not negative");
+        fail(Status::invalid_argument,
+             "max_distance_mm must be positive, smoothing_mm not negative");
     if (fitted.triangles.rows() == 0)
         fail(Status::invalid_argument, "the fitted face has no triangles");
     if (neutral_vertices.rows() != fitted.vertices.rows())
@@ -118,8 +120,8 @@ ScanTransferResult transfer_to_scan(const Context& context, const TriMesh& fitte
         displacement.row(i).setZero();
         for (int k = 0; k < 3; ++k) {
             const std::uint32_t corner = fitted.triangles(hit.triangle, k);
-            displacement.row(i) += hit.barycentric[k] *
-                                   (neutral_vertices.row(corner) - fitted.vertices.row(corner));
+            displacement.row(i) +=
+                hit.barycentric[k] * (neutral_vertices.row(corner) - fitted.vertices.row(corner));
         }
         const double share = hit.distance() / options.max_distance_mm;
         weight[i] = share < 1.0 ? (1.0 - share * share) * (1.0 - share * share) : 0.0;
@@ -142,7 +144,8 @@ ScanTransferResult transfer_to_scan(const Context& context, const TriMesh& fitte
         for (Index i = 0; i < n; ++i) system.coeffRef(i, i) += diagonal[i];
         const Eigen::SimplicialLDLT<SparseMatrix> factor(system);
         if (factor.info() != Eigen::Success)
-            fail(Status::no_solution, "the displacement cannot be smoothed over this scan's surface");
+            fail(Status::no_solution,
+                 "the displacement cannot be smoothed over this scan's surface");
         displacement = factor.solve(diagonal.asDiagonal() * Matrix(displacement)).eval();
     }
     result.scan.vertices += displacement;

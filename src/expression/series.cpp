@@ -1,8 +1,8 @@
 #include "expression/series.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <Eigen/Cholesky>
 #include <limits>
 
 #include "base/error.hpp"
@@ -56,9 +56,9 @@ JointSystem build_system(const Context& context, const ExpressionModel& model,
     const Index p = system.p, q = system.q, size = p + K * q;
     system.data = Matrix::Zero(size, size);
     system.right = Vector::Zero(size);
-    const bool uniform =
-        options.changing_zone.empty() &&
-        std::all_of(scans.begin(), scans.end(), [](const SeriesScan& s) { return s.weights.size() == 0; });
+    const bool uniform = options.changing_zone.empty() &&
+                         std::all_of(scans.begin(), scans.end(),
+                                     [](const SeriesScan& s) { return s.weights.size() == 0; });
     const double scan_noise = options.scan_noise_share * noise;
     const Matrix weights = uniform ? Matrix() : scan_weights(scans, n, options, scan_noise);
     const Matrix constant = coupling(Vector::Ones(K), scan_noise, noise);
@@ -153,8 +153,8 @@ SeriesResult neutralize_series(const Context& context, const ExpressionModel& mo
                  static_cast<long long>(n));
     const bool mixture = options.method == FitMethod::mixture && !model.components.empty();
     const double noise = options.noise_mm2 > 0.0 ? options.noise_mm2
-                         : mixture              ? model.mixture_noise_mm2
-                                                : model.map_noise_mm2;
+                         : mixture               ? model.mixture_noise_mm2
+                                                 : model.map_noise_mm2;
 
     // Each scan by itself first: pose, and which expressions come into question.
     Context quiet = context;
@@ -223,8 +223,8 @@ SeriesResult neutralize_series(const Context& context, const ExpressionModel& mo
     Points sum = Points::Zero(n, 3);
     Vector total = Vector::Zero(n);
     for (std::size_t k = 0; k < scans.size(); ++k) {
-        const Vector expression = best.coordinates.segment(
-            model.num_identity_modes() + static_cast<Index>(k) * q, q);
+        const Vector expression =
+            best.coordinates.segment(model.num_identity_modes() + static_cast<Index>(k) * q, q);
         const Vector moved = expression_displacement(context, model, expression);
         neutrals.push_back(placed[k] - Eigen::Map<const Points>(moved.data(), n, 3));
         const Points& neutral = neutrals.back();
@@ -247,10 +247,12 @@ SeriesResult neutralize_series(const Context& context, const ExpressionModel& mo
         for (Index i = 0; i < n; ++i) {
             const double weight = scans[k].weights.size() != 0 ? scans[k].weights[i] : 1.0;
             if (weight != 0.0 && !changing[static_cast<std::size_t>(i)]) {
-                squares += weight * (neutrals[k].row(i) - result.identity_vertices.row(i)).squaredNorm();
+                squares +=
+                    weight * (neutrals[k].row(i) - result.identity_vertices.row(i)).squaredNorm();
                 seen += weight;
             }
-            if (!neutrals[k].row(i).allFinite()) neutrals[k].row(i) = result.identity_vertices.row(i);
+            if (!neutrals[k].row(i).allFinite())
+                neutrals[k].row(i) = result.identity_vertices.row(i);
         }
         result.distances_mm.push_back(seen > 0.0 ? std::sqrt(squares / seen) : 0.0);
         result.neutral_vertices.push_back(result.poses[k].apply(PointsRef(neutrals[k])));
@@ -265,11 +267,13 @@ std::vector<std::string> series_warnings(const ExpressionModel& model, const Ser
     const double expected = model.expected_residual_mm;
     if (expected > 0.0 && result.residuals_mm[k] > 1.5 * expected)
         warnings.push_back(
-            "the face lies farther from the model than faces of new people do: it was fitted badly, or is "
+            "the face lies farther from the model than faces of new people do: it was fitted "
+            "badly, or is "
             "unlike the training faces");
     if (expected > 0.0 && result.distances_mm[k] > expected)
         warnings.push_back(
-            "without its expression the face still differs from the others: it was fitted badly, shows an "
+            "without its expression the face still differs from the others: it was fitted badly, "
+            "shows an "
             "expression that the model does not know, or is another person");
     if (!result.components.empty() && result.components[k] == "any")
         warnings.push_back("the expression is none of the trained ones");

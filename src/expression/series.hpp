@@ -2,16 +2,16 @@
 //
 //     v_k = mean + P a + d + Q b_k + e_k,   d ~ N(0, s I) shared,   e_k ~ N(0, t I / w_k)
 //
-// d is what the identity modes miss of this person (s, the model's noise level): it is the same in every
-// scan, so differences between scans tell the expressions apart without it. With d integrated out, the
-// scans couple at every vertex through the K x K precision
+// d is what the identity modes miss of this person (s, the model's noise level): it is the same in
+// every scan, so differences between scans tell the expressions apart without it. With d integrated
+// out, the scans couple at every vertex through the K x K precision
 //     C = diag(w)/t - w w' / (t^2 (1/s + sum(w)/t)),
-// and (a, b_1 .. b_K) solve one symmetric system. Each scan's mixture component is chosen by coordinate
-// ascent on the joint evidence, starting from the scans' own fits.
+// and (a, b_1 .. b_K) solve one symmetric system. Each scan's mixture component is chosen by
+// coordinate ascent on the joint evidence, starting from the scans' own fits.
 //
-// In a zone where the identity may change between the scans (a treated zone) the variance of e_k rises
-// by the square of the change that is expected times the number of vertices (they change together), so
-// that the change is not taken for an expression.
+// In a zone where the identity may change between the scans (a treated zone) the variance of e_k
+// rises by the square of the change that is expected times the number of vertices (they change
+// together), so that the change is not taken for an expression.
 #pragma once
 
 #include <string>
@@ -38,15 +38,16 @@ struct SeriesOptions {
 };
 
 struct SeriesResult {
-    Points identity_vertices;               ///< the person's neutral face: mean of the scans' neutrals
-    std::vector<Points> neutral_vertices;   ///< per scan, in its own frame; where a scan has no finite vertex, the
-                                            ///< shared face's
-    Vector identity;                        ///< a
-    std::vector<Vector> expressions;        ///< b_k
-    std::vector<std::string> components;    ///< name of each scan's mixture component; map: empty
-    std::vector<Similarity> poses;          ///< training frame -> frame of the scan
-    std::vector<double> residuals_mm;       ///< distance of each scan from its own fit per vertex
-    /// Root mean square distance of each scan's neutral face from the shared one, changing zone left out, mm.
+    Points identity_vertices;  ///< the person's neutral face: mean of the scans' neutrals
+    std::vector<Points> neutral_vertices;  ///< per scan, in its own frame; where a scan has no
+                                           ///< finite vertex, the shared face's
+    Vector identity;                      ///< a
+    std::vector<Vector> expressions;      ///< b_k
+    std::vector<std::string> components;  ///< name of each scan's mixture component; map: empty
+    std::vector<Similarity> poses;        ///< training frame -> frame of the scan
+    std::vector<double> residuals_mm;     ///< distance of each scan from its own fit per vertex
+    /// Root mean square distance of each scan's neutral face from the shared one, changing zone
+    /// left out, mm.
     std::vector<double> distances_mm;
 };
 

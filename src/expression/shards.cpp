@@ -32,7 +32,8 @@ std::vector<int> labels(const SafetensorsFile& file, const char* name, Index cou
     const auto* values = static_cast<const std::int32_t*>(view.data);
     for (Index k = 0; k < count; ++k)
         if (values[k] < 0 || (limit >= 0 && values[k] >= limit))
-            fail_at(Status::corrupt, k, "the shard's tensor '%s' holds the label %d", name, values[k]);
+            fail_at(Status::corrupt, k, "the shard's tensor '%s' holds the label %d", name,
+                    values[k]);
     return std::vector<int>(values, values + count);
 }
 
@@ -43,11 +44,11 @@ class ShardColumns final : public ColumnSource {
         const SafetensorsFile file = SafetensorsFile::open(path, options, context);
         file.require_kind(kKind, 1);
         const TensorView& basis = file.tensor("basis", DType::f64, {-1, -1, 3});
-        const Index rank = static_cast<Index>(basis.shape[0]), n = static_cast<Index>(basis.shape[1]);
+        const Index rank = static_cast<Index>(basis.shape[0]),
+                    n = static_cast<Index>(basis.shape[1]);
         const TensorView& shape = file.tensor("triangles", DType::u32, {-1, 3});
-        const Triangles own =
-            Eigen::Map<const Triangles>(static_cast<const std::uint32_t*>(shape.data),
-                                        static_cast<Index>(shape.shape[0]), 3);
+        const Triangles own = Eigen::Map<const Triangles>(
+            static_cast<const std::uint32_t*>(shape.data), static_cast<Index>(shape.shape[0]), 3);
         const std::vector<std::string> names =
             parse_json_string_list(file.metadata("expression_names"), "expression_names");
         std::vector<std::uint32_t> stable;
@@ -58,7 +59,8 @@ class ShardColumns final : public ColumnSource {
             stable.assign(first, first + zone.count);
             const auto count = static_cast<std::int64_t>(zone.count);
             reference = Eigen::Map<const Points>(
-                static_cast<const double*>(file.tensor("stable_reference", DType::f64, {count, 3}).data),
+                static_cast<const double*>(
+                    file.tensor("stable_reference", DType::f64, {count, 3}).data),
                 static_cast<Index>(count), 3);
         }
         if (shards_.empty()) {
@@ -76,7 +78,8 @@ class ShardColumns final : public ColumnSource {
                    (reference.rows() != 0 &&
                     (reference - stable_reference).cwiseAbs().maxCoeff() > kSameReferenceMm)) {
             fail(Status::mismatch,
-                 "the faces of '%s' were aligned in another way than those of the first shard: make all shards "
+                 "the faces of '%s' were aligned in another way than those of the first shard: "
+                 "make all shards "
                  "from one data set with one stable zone",
                  shown_path(path).c_str());
         }
@@ -127,8 +130,8 @@ class ShardColumns final : public ColumnSource {
             if (from < to) {
                 auto part = block.middleCols(done, to - from);
                 dense::multiply(Context(), 1.0, shard.basis, dense::Op::none,
-                                coordinates.middleCols(from - first, to - from), dense::Op::none, 0.0,
-                                part);
+                                coordinates.middleCols(from - first, to - from), dense::Op::none,
+                                0.0, part);
                 if (identity) part.colwise() += shard.mean;
                 done += to - from;
             }
@@ -153,28 +156,31 @@ ShardReport write_expression_shard(const std::string& path, const ColumnSource& 
     const std::uint64_t rank = static_cast<std::uint64_t>(span.basis.cols());
     const std::uint64_t m = static_cast<std::uint64_t>(source.num_neutrals());
     const std::uint64_t s = static_cast<std::uint64_t>(source.num_displacements());
-    std::vector<TensorToWrite> tensors =
-        {{"basis", DType::f64, {rank, n, 3}, span.basis.data()},
-         {"mean", DType::f64, {n, 3}, span.mean.data()},
-         {"neutrals", DType::f64, {m, rank}, span.neutrals.data()},
-         {"displacements", DType::f64, {s, rank}, span.displacements.data()},
-         {"neutral_subject", DType::i32, {m}, source.neutral_subject.data()},
-         {"displacement_subject", DType::i32, {s}, source.displacement_subject.data()},
-         {"displacement_expression", DType::i32, {s}, source.displacement_expression.data()},
-         {"triangles", DType::u32, {static_cast<std::uint64_t>(source.triangles.rows()), 3},
-          source.triangles.data()}};
+    std::vector<TensorToWrite> tensors = {
+        {"basis", DType::f64, {rank, n, 3}, span.basis.data()},
+        {"mean", DType::f64, {n, 3}, span.mean.data()},
+        {"neutrals", DType::f64, {m, rank}, span.neutrals.data()},
+        {"displacements", DType::f64, {s, rank}, span.displacements.data()},
+        {"neutral_subject", DType::i32, {m}, source.neutral_subject.data()},
+        {"displacement_subject", DType::i32, {s}, source.displacement_subject.data()},
+        {"displacement_expression", DType::i32, {s}, source.displacement_expression.data()},
+        {"triangles",
+         DType::u32,
+         {static_cast<std::uint64_t>(source.triangles.rows()), 3},
+         source.triangles.data()}};
     if (!source.stable_vertices.empty()) {
         const std::uint64_t count = source.stable_vertices.size();
-        tensors.insert(tensors.begin(), {"stable_reference", DType::f64, {count, 3}, source.stable_reference.data()});
+        tensors.insert(
+            tensors.begin(),
+            {"stable_reference", DType::f64, {count, 3}, source.stable_reference.data()});
         tensors.push_back({"stable_vertices", DType::u32, {count}, source.stable_vertices.data()});
     }
-    write_safetensors(
-        path, tensors,
-        {{"kind", kKind},
-         {"format", "1.0"},
-         {"units", "millimetres"},
-         {"expression_names", json_string_list(source.expression_names)}},
-        context);
+    write_safetensors(path, tensors,
+                      {{"kind", kKind},
+                       {"format", "1.0"},
+                       {"units", "millimetres"},
+                       {"expression_names", json_string_list(source.expression_names)}},
+                      context);
     ShardReport report;
     report.subjects = source.num_neutrals();
     report.faces = source.num_neutrals() + source.num_displacements();
@@ -203,8 +209,8 @@ std::vector<int> subjects_of_part(const FaceDataset& dataset, int part, int coun
     for (int subject : subjects)
         if (place++ % count == part) kept.push_back(subject);
     if (kept.empty())
-        fail(Status::invalid_argument, "part %d of %d is empty: the data set has %zu subjects", part,
-             count, subjects.size());
+        fail(Status::invalid_argument, "part %d of %d is empty: the data set has %zu subjects",
+             part, count, subjects.size());
     return kept;
 }
 

@@ -62,8 +62,8 @@ std::shared_ptr<const ExpressionModel> train_expression_model(const ColumnSource
     auto storage = std::make_shared<ModesStorage>();
     auto lift = [&](Matrix& coordinates, Eigen::MatrixXf& out) {
         Matrix modes(span.basis.rows(), coordinates.cols());
-        dense::multiply(context, 1.0, span.basis, dense::Op::none, coordinates, dense::Op::none, 0.0,
-                        modes);
+        dense::multiply(context, 1.0, span.basis, dense::Op::none, coordinates, dense::Op::none,
+                        0.0, modes);
         for (Index k = 0; k < modes.cols(); ++k)
             if (side_of(modes.col(k)) < 0.0) {
                 modes.col(k) *= -1.0;
@@ -86,9 +86,9 @@ std::shared_ptr<const ExpressionModel> train_expression_model(const ColumnSource
     const bool quasi = options.subspaces.method == TrainMethod::quasi_orthogonal;
     Matrix expression_basis = subspaces.expression;
     if (quasi) {
-        model->spill = learn_spill(identity_coordinates, subspaces.expression.transpose() * span.neutrals,
-                                   subspaces.identity.transpose() * span.displacements,
-                                   expression_coordinates);
+        model->spill = learn_spill(
+            identity_coordinates, subspaces.expression.transpose() * span.neutrals,
+            subspaces.identity.transpose() * span.displacements, expression_coordinates);
         expression_basis += subspaces.identity * model->spill.expression;
     }
     model->components =
@@ -142,8 +142,8 @@ std::shared_ptr<const ExpressionModel> train_expression_model(const ColumnSource
 std::shared_ptr<const ExpressionModel> train_expression_model(
     std::shared_ptr<const FaceDataset> dataset, const TrainOptions& options, const Context& context,
     TrainReport* report) {
-    return train_expression_model(*dataset_columns(std::move(dataset), {}, options.stable_vertices), options, context,
-                                  report);
+    return train_expression_model(*dataset_columns(std::move(dataset), {}, options.stable_vertices),
+                                  options, context, report);
 }
 
 }  // namespace mien

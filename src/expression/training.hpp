@@ -15,10 +15,10 @@ namespace mien {
 
 struct TrainOptions {
     JointPcaOptions subspaces;
-    JointSpanOptions span;     ///< ranks of 0: max(3 modes, modes + 60)
+    JointSpanOptions span;  ///< ranks of 0: max(3 modes, modes + 60)
     PriorOptions prior;
-    /// Posture: faces are aligned rigidly on these vertices (forehead, nose bridge), in training and by
-    /// every fit of the model; empty: faces are taken as they lie.
+    /// Posture: faces are aligned rigidly on these vertices (forehead, nose bridge), in training
+    /// and by every fit of the model; empty: faces are taken as they lie.
     std::vector<std::uint32_t> stable_vertices;
     double map_noise_mm2 = 0.0, mixture_noise_mm2 = 0.0;  ///< 0: by cross-validation
     TrainOptions() { span.identity_rank = span.expression_rank = 0; }
@@ -30,10 +30,10 @@ struct TrainReport {
     int iterations = 0;
     double last_angle_rad = 0;
     bool converged = true;
-    Vector orthogonality;             ///< ||P_c Q_c'||, c = 1 ..
-    Vector joint_pca_orthogonality;   ///< the same of joint PCA on these faces
+    Vector orthogonality;            ///< ||P_c Q_c'||, c = 1 ..
+    Vector joint_pca_orthogonality;  ///< the same of joint PCA on these faces
     double identity_explained = 0, expression_explained = 0;  ///< shares of the training variance
-    double span_cut = 0;              ///< share of the variance that the joint span does not hold
+    double span_cut = 0;  ///< share of the variance that the joint span does not hold
     NoiseLevels noise;
 };
 

@@ -1,7 +1,6 @@
 #include "geometry/alignment.hpp"
 
 #include <Eigen/LU>
-#include <Eigen/LU>
 #include <Eigen/SVD>
 
 #include "base/error.hpp"
@@ -36,7 +35,8 @@ Similarity align_points(const PointsRef& source, const PointsRef& target, const 
     Similarity motion;
     motion.rotation = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
     if (with_scale) {
-        const double spread = (w.asDiagonal() * source_centred.cwiseProduct(source_centred)).sum() / total;
+        const double spread =
+            (w.asDiagonal() * source_centred.cwiseProduct(source_centred)).sum() / total;
         motion.scale = singular.dot(signs) / spread;
     }
     motion.translation =

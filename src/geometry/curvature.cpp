@@ -152,8 +152,8 @@ Local fit_vertex(const PointsRef& vertices, const std::vector<std::uint32_t>& ne
     const double a = fitted[3] / radius, b = fitted[4] / radius, c = fitted[5] / radius;
     // Graph of h over the tangent plane: first form (1 + p^2, pq, 1 + q^2), second (a, b, c) / s.
     const double s = std::sqrt(1 + p * p + q * q);
-    // second t = curvature first t, by the Cholesky factor (l, m; 0, n) of the first form: an ordinary eigenproblem
-    // of L^-1 second L^-T. Bulging outwards is positive.
+    // second t = curvature first t, by the Cholesky factor (l, m; 0, n) of the first form: an
+    // ordinary eigenproblem of L^-1 second L^-T. Bulging outwards is positive.
     const double l = std::sqrt(1 + p * p), per_l = 1 / l, m = p * q / l;
     const double per_n = 1 / std::sqrt(1 + q * q - m * m);
     const double uu = a * (-1.0 / s) * per_l, uv = b * (-1.0 / s) * per_l;

@@ -1,8 +1,8 @@
 #include "geometry/heat_method.hpp"
 
-#include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
+#include <Eigen/SparseCore>
 #include <limits>
 #include <queue>
 
@@ -181,8 +181,8 @@ struct HeatGeodesics::State {
     Index num_vertices = 0;
     std::vector<int> component;
     int num_components = 0;
-    std::vector<char> on_border;           ///< in elimination order
-    std::vector<std::int32_t> place;       ///< elimination order of a vertex
+    std::vector<char> on_border;      ///< in elimination order
+    std::vector<std::int32_t> place;  ///< elimination order of a vertex
     std::vector<Wedge> wedges;
     BlockLdlt neumann, dirichlet, neumann_far, dirichlet_far, poisson;
     bool has_border = false, needs_far = false;
@@ -205,7 +205,8 @@ void HeatGeodesics::State::heat_of(const std::uint32_t* sources, int count, bool
     const auto start = [&](std::vector<double>& field) {
         field.assign(size, 0.0);
         for (int c = 0; c < count; ++c)
-            field[static_cast<std::size_t>(place[sources[c]]) * kW + static_cast<std::size_t>(c)] = 1;
+            field[static_cast<std::size_t>(place[sources[c]]) * kW + static_cast<std::size_t>(c)] =
+                1;
     };
     start(heat);
     open.solve(heat.data());
@@ -269,7 +270,8 @@ HeatGeodesics::HeatGeodesics(const PointsRef& vertices, const TrianglesRef& tria
     s.wedges.reserve(static_cast<std::size_t>(mesh.triangles.rows()));
     for (Index t = 0; t < mesh.triangles.rows(); ++t) {
         // Corner 0 at the origin, corner 1 on the x axis.
-        const double to1 = mesh.lengths(t, 2), to2 = mesh.lengths(t, 1), across = mesh.lengths(t, 0);
+        const double to1 = mesh.lengths(t, 2), to2 = mesh.lengths(t, 1),
+                     across = mesh.lengths(t, 0);
         const double doubled = mesh.double_area(t);
         if (!(doubled > 0)) continue;
         const double x2 = ((to2 - across) * (to2 + across) + to1 * to1) / (2 * to1);
@@ -328,7 +330,9 @@ HeatGeodesics::~HeatGeodesics() = default;
 HeatGeodesics::HeatGeodesics(HeatGeodesics&&) noexcept = default;
 HeatGeodesics& HeatGeodesics::operator=(HeatGeodesics&&) noexcept = default;
 
-Index HeatGeodesics::num_vertices() const { return state_->num_vertices; }
+Index HeatGeodesics::num_vertices() const {
+    return state_->num_vertices;
+}
 
 void HeatGeodesics::distances(const std::vector<std::uint32_t>& sources,
                               Eigen::Ref<Eigen::MatrixXf> out, const Context& context) const {
@@ -377,8 +381,8 @@ void make_symmetric(const std::vector<std::uint32_t>& sources,
 Vector HeatGeodesics::distances_from(std::uint32_t source) const {
     const State& s = *state_;
     if (static_cast<Index>(source) >= s.num_vertices)
-        fail(Status::invalid_argument, "source vertex %lld of %lld",
-             static_cast<long long>(source), static_cast<long long>(s.num_vertices));
+        fail(Status::invalid_argument, "source vertex %lld of %lld", static_cast<long long>(source),
+             static_cast<long long>(s.num_vertices));
     State::Scratch scratch;
     s.block(&source, 1, scratch);
     Vector out(s.num_vertices);
@@ -386,7 +390,8 @@ Vector HeatGeodesics::distances_from(std::uint32_t source) const {
     for (std::size_t v = 0; v < s.place.size(); ++v)
         out[static_cast<Index>(v)] =
             s.component[v] == s.component[source]
-                ? std::max(scratch.right[static_cast<std::size_t>(s.place[v]) * kW] - at_source, 0.0)
+                ? std::max(scratch.right[static_cast<std::size_t>(s.place[v]) * kW] - at_source,
+                           0.0)
                 : std::numeric_limits<double>::infinity();
     return out;
 }

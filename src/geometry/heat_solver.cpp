@@ -1,8 +1,8 @@
 #include "geometry/heat_solver.hpp"
 
+#include <algorithm>
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>
-#include <algorithm>
 
 #include "base/error.hpp"
 
@@ -68,7 +68,8 @@ template <int Q>
 MIEN_HEAT_INLINE void backward_group(const Factor& f, std::int64_t first, double* __restrict x) {
     double y[Q][kWidth];
     for (int a = 0; a < Q; ++a)
-        for (int c = 0; c < kWidth; ++c) y[a][c] = x[(first + a) * kWidth + c] * f.inverse_diagonal[first + a];
+        for (int c = 0; c < kWidth; ++c)
+            y[a][c] = x[(first + a) * kWidth + c] * f.inverse_diagonal[first + a];
     const std::int64_t count = f.begin[first + Q] - f.begin[first + Q - 1];
     const std::int32_t* rows = f.rows + f.begin[first + Q - 1];
     const double* value[Q];
@@ -92,29 +93,49 @@ MIEN_HEAT_INLINE void backward_group(const Factor& f, std::int64_t first, double
 MIEN_HEAT_INLINE void solve_block(const Factor& f, double* __restrict x) {
     for (std::int64_t j = 0; j < f.size; j += f.group[j]) {
         switch (f.group[j]) {
-            case 4: forward_group<4>(f, j, x); break;
-            case 3: forward_group<3>(f, j, x); break;
-            case 2: forward_group<2>(f, j, x); break;
-            default: forward_group<1>(f, j, x); break;
+            case 4:
+                forward_group<4>(f, j, x);
+                break;
+            case 3:
+                forward_group<3>(f, j, x);
+                break;
+            case 2:
+                forward_group<2>(f, j, x);
+                break;
+            default:
+                forward_group<1>(f, j, x);
+                break;
         }
     }
     // A group's length also stands at its last column, where the way back meets it first.
     for (std::int64_t end = f.size; end > 0;) {
         const std::int64_t j = end - f.group[end - 1];
         switch (f.group[end - 1]) {
-            case 4: backward_group<4>(f, j, x); break;
-            case 3: backward_group<3>(f, j, x); break;
-            case 2: backward_group<2>(f, j, x); break;
-            default: backward_group<1>(f, j, x); break;
+            case 4:
+                backward_group<4>(f, j, x);
+                break;
+            case 3:
+                backward_group<3>(f, j, x);
+                break;
+            case 2:
+                backward_group<2>(f, j, x);
+                break;
+            default:
+                backward_group<1>(f, j, x);
+                break;
         }
         end = j;
     }
 }
 
-void solve_portable(const Factor& f, double* x) { solve_block(f, x); }
+void solve_portable(const Factor& f, double* x) {
+    solve_block(f, x);
+}
 
 #if defined(MIEN_HEAT_AVX2)
-__attribute__((target("avx2"))) void solve_avx2(const Factor& f, double* x) { solve_block(f, x); }
+__attribute__((target("avx2"))) void solve_avx2(const Factor& f, double* x) {
+    solve_block(f, x);
+}
 
 bool has_avx2() {
     static const bool supported = [] {
@@ -169,8 +190,8 @@ BlockLdlt::BlockLdlt(const Eigen::SparseMatrix<double>& matrix, const char* what
 }
 
 void BlockLdlt::solve(double* x) const {
-    const Factor f{values_.data(), rows_.data(),  begin_.data(),
-                   group_.data(),  inverse_diagonal_.data(), size()};
+    const Factor f{values_.data(),           rows_.data(), begin_.data(), group_.data(),
+                   inverse_diagonal_.data(), size()};
 #if defined(MIEN_HEAT_AVX2)
     if (has_avx2()) return solve_avx2(f, x);
 #endif

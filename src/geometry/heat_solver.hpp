@@ -1,11 +1,11 @@
 // Solves A X = B for one sparse symmetric positive definite A and many right-hand sides, eight at a
-// time: a triangular solve is bound by the traffic of its factor and of x, and eight right-hand sides
-// share one pass. Neighbouring columns of the factor with the same rows (they are most of it) are taken up
-// to four at a time, so that a row of x is fetched once for all of them.
+// time: a triangular solve is bound by the traffic of its factor and of x, and eight right-hand
+// sides share one pass. Neighbouring columns of the factor with the same rows (they are most of it)
+// are taken up to four at a time, so that a row of x is fetched once for all of them.
 #pragma once
 
-#include <Eigen/SparseCore>
 #include <cstdint>
+#include <Eigen/SparseCore>
 #include <vector>
 
 #include "base/types.hpp"
@@ -29,10 +29,10 @@ class BlockLdlt {
     void solve(double* x) const;
 
   private:
-    std::vector<double> values_;         ///< strictly lower L, column by column
+    std::vector<double> values_;  ///< strictly lower L, column by column
     std::vector<std::int32_t> rows_;
-    std::vector<std::int64_t> begin_;    ///< size() + 1
-    std::vector<std::int32_t> group_;    ///< columns taken together, at the first of them
+    std::vector<std::int64_t> begin_;  ///< size() + 1
+    std::vector<std::int32_t> group_;  ///< columns taken together, at the first of them
     std::vector<double> inverse_diagonal_;
 };
 

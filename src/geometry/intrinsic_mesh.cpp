@@ -1,10 +1,10 @@
 #include "geometry/intrinsic_mesh.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <Eigen/Geometry>
 #include <numeric>
 
 #include "base/error.hpp"
@@ -293,9 +293,9 @@ IntrinsicMesh build_intrinsic_mesh(const PointsRef& vertices, const TrianglesRef
     for (Index t = 0; t < used; ++t) {
         auto& front = cover.lengths[static_cast<std::size_t>(2 * t)];
         for (int k = 0; k < 3; ++k)
-            front[k] = (vertices.row(triangles(t, (k + 1) % 3)) -
-                        vertices.row(triangles(t, (k + 2) % 3)))
-                           .norm();
+            front[k] =
+                (vertices.row(triangles(t, (k + 1) % 3)) - vertices.row(triangles(t, (k + 2) % 3)))
+                    .norm();
         for (int k = 0; k < 3; ++k)
             mesh.mollification_mm =
                 std::max(mesh.mollification_mm,

@@ -14,10 +14,10 @@ namespace mien {
 
 struct IntrinsicMesh {
     Index num_vertices = 0;
-    Triangles triangles;          ///< corners; one vertex may occur twice in an intrinsic triangle
-    Points lengths;               ///< (t, k): length of the edge opposite corner k, mm, > 0
-    Vector weights;               ///< per triangle: how much of the surface it stands for (1 or 1/2)
-    std::vector<int> component;   ///< per vertex, 0 .. num_components - 1
+    Triangles triangles;         ///< corners; one vertex may occur twice in an intrinsic triangle
+    Points lengths;              ///< (t, k): length of the edge opposite corner k, mm, > 0
+    Vector weights;              ///< per triangle: how much of the surface it stands for (1 or 1/2)
+    std::vector<int> component;  ///< per vertex, 0 .. num_components - 1
     int num_components = 0;
     std::vector<char> on_border;  ///< per vertex: 1 on an edge with a single triangle
     double mean_edge_mm = 0;      ///< of the input's edges

@@ -65,13 +65,14 @@ IntrinsicTriangulation::IntrinsicTriangulation(const PointsRef& vertices,
     if (triangles_.empty()) return;
 
     double mean = total / (3.0 * static_cast<double>(triangles_.size()));
-    if (!std::isfinite(mean)) fail(Status::invalid_mesh, "the mesh is too large for its edge lengths");
+    if (!std::isfinite(mean))
+        fail(Status::invalid_mesh, "the mesh is too large for its edge lengths");
     if (!(mean > 0)) mean = 1.0;  // every vertex in one place: any scale will do
     const double margin = kMollification * mean;
     for (const IntrinsicTriangle& t : triangles_)
         for (int c = 0; c < 3; ++c)
-            mollification_ = std::max(
-                mollification_, margin + t.length[c] - t.length[(c + 1) % 3] - t.length[(c + 2) % 3]);
+            mollification_ = std::max(mollification_, margin + t.length[c] - t.length[(c + 1) % 3] -
+                                                          t.length[(c + 2) % 3]);
     if (mollification_ > 0)
         for (IntrinsicTriangle& t : triangles_)
             for (double& length : t.length) length += mollification_;
@@ -82,9 +83,10 @@ void IntrinsicTriangulation::glue() {
         std::uint32_t low, high;
         std::int32_t triangle, side;
         bool operator<(const HalfEdge& o) const {
-            return low != o.low ? low < o.low : high != o.high ? high < o.high
-                   : triangle != o.triangle                    ? triangle < o.triangle
-                                                               : side < o.side;
+            return low != o.low             ? low < o.low
+                   : high != o.high         ? high < o.high
+                   : triangle != o.triangle ? triangle < o.triangle
+                                            : side < o.side;
         }
     };
     std::vector<HalfEdge> edges;
@@ -103,7 +105,8 @@ void IntrinsicTriangulation::glue() {
             ++end;
         if (end - begin != 2) continue;
         const HalfEdge &a = edges[begin], &b = edges[begin + 1];
-        const bool opposite = triangles_[a.triangle].vertex[a.side] != triangles_[b.triangle].vertex[b.side];
+        const bool opposite =
+            triangles_[a.triangle].vertex[a.side] != triangles_[b.triangle].vertex[b.side];
         if (!opposite) continue;
         neighbour_[a.triangle][a.side] = {b.triangle, b.side};
         neighbour_[b.triangle][b.side] = {a.triangle, a.side};
@@ -124,10 +127,10 @@ bool IntrinsicTriangulation::flip(std::int32_t first, int side) {
 
     // Both triangles side by side in the plane: edge on the x axis, a's corner above, b's below.
     const double base = a.length[sa];
-    const double xa = (base * base + a.length[sa2] * a.length[sa2] - a.length[sa1] * a.length[sa1]) /
-                      (2 * base);
-    const double xb = (base * base + b.length[sb1] * b.length[sb1] - b.length[sb2] * b.length[sb2]) /
-                      (2 * base);
+    const double xa =
+        (base * base + a.length[sa2] * a.length[sa2] - a.length[sa1] * a.length[sa1]) / (2 * base);
+    const double xb =
+        (base * base + b.length[sb1] * b.length[sb1] - b.length[sb2] * b.length[sb2]) / (2 * base);
     const double height = 2 * (area_a + area_b) / base;
     const double diagonal = std::hypot(xa - xb, height);
 

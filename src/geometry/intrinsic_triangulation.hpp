@@ -1,5 +1,5 @@
-// A triangulation known by its edge lengths: the mesh in space to begin with, its intrinsic Delaunay
-// triangulation after edge flips. Vertices never move; only who is joined to whom changes.
+// A triangulation known by its edge lengths: the mesh in space to begin with, its intrinsic
+// Delaunay triangulation after edge flips. Vertices never move; only who is joined to whom changes.
 #pragma once
 
 #include <array>
@@ -22,8 +22,9 @@ struct IntrinsicTriangle {
 
 class IntrinsicTriangulation {
   public:
-    /// Throws Status::invalid_mesh for no vertex, a coordinate that is not finite or an index out of
-    /// range. Triangles that name a vertex twice are left out: they have neither area nor angles.
+    /// Throws Status::invalid_mesh for no vertex, a coordinate that is not finite or an index out
+    /// of range. Triangles that name a vertex twice are left out: they have neither area nor
+    /// angles.
     IntrinsicTriangulation(const PointsRef& vertices, const TrianglesRef& triangles);
 
     /// Flips inner edges until cot a + cot b >= 0 at each. Edges at borders, between triangles of

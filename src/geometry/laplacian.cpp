@@ -1,10 +1,11 @@
 // Cotangent Laplacian of a triangle mesh (Pinkall & Polthier 1993; Meyer et al. 2003; kosk-2024,
 // 4.10): L_ij = -(cot a_ij + cot b_ij) / 2, from edge lengths alone, so that one piece of code
-// serves the mesh as it lies in space and its intrinsic Delaunay triangulation (Bobenko & Springborn
-// 2007; Fisher et al. 2007). Departures: kosk-2024 leaves negative cotangents as they are; the
-// default here flips edges on intrinsic lengths until no inner edge has a negative weight. Lengths of
-// meshes with needles or zero-area triangles are mollified (Sharp & Crane 2020): one small length is
-// added to every edge until each triangle has an area, so every cotangent is finite.
+// serves the mesh as it lies in space and its intrinsic Delaunay triangulation (Bobenko &
+// Springborn 2007; Fisher et al. 2007). Departures: kosk-2024 leaves negative cotangents as they
+// are; the default here flips edges on intrinsic lengths until no inner edge has a negative weight.
+// Lengths of meshes with needles or zero-area triangles are mollified (Sharp & Crane 2020): one
+// small length is added to every edge until each triangle has an area, so every cotangent is
+// finite.
 #include "geometry/laplacian.hpp"
 
 #include <algorithm>
@@ -21,8 +22,9 @@ namespace {
 
 /// Mass of the three corners (mixed Voronoi: the circumcentric cell of an acute triangle, else half
 /// of the area at the obtuse corner and a quarter at the others, Meyer et al. 2003, 3.3).
-std::array<double, 3> corner_areas(const IntrinsicTriangle& t, const std::array<double, 3>& cotangent,
-                                   double area, MassKind kind) {
+std::array<double, 3> corner_areas(const IntrinsicTriangle& t,
+                                   const std::array<double, 3>& cotangent, double area,
+                                   MassKind kind) {
     if (kind == MassKind::barycentric) return {area / 3, area / 3, area / 3};
     for (int c = 0; c < 3; ++c)
         if (cotangent[c] < 0) {

@@ -26,8 +26,8 @@ double median_of(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-// Tukey weights of the normal residuals. The scale has a floor, so that an exact fit of most pairs does
-// not call the others back.
+// Tukey weights of the normal residuals. The scale has a floor, so that an exact fit of most pairs
+// does not call the others back.
 Vector robust_weights(const Vector& residuals, const Vector& areas, double extent) {
     std::vector<double> sizes(residuals.data(), residuals.data() + residuals.size());
     for (double& r : sizes) r = std::fabs(r);

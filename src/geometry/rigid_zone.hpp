@@ -17,8 +17,8 @@
 namespace mien {
 
 struct RigidZoneOptions {
-    double tangential = 0.1;              ///< tau, 0 < tau <= 1
-    double correlation_length_mm = 4.0;   ///< >= 0
+    double tangential = 0.1;             ///< tau, 0 < tau <= 1
+    double correlation_length_mm = 4.0;  ///< >= 0
     int iterations = 30;
 };
 

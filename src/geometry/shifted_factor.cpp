@@ -1,8 +1,8 @@
 #include "geometry/shifted_factor.hpp"
 
+#include <cmath>
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>
-#include <cmath>
 
 namespace mien {
 

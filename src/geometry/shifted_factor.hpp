@@ -14,8 +14,8 @@ constexpr int kSolveBlock = 8;
 
 class ShiftedFactor {
   public:
-    /// `a` holds at least the lower triangle of a symmetric matrix already in a fill-reducing order.
-    /// ok() is false when a pivot vanishes or an entry is not finite.
+    /// `a` holds at least the lower triangle of a symmetric matrix already in a fill-reducing
+    /// order. ok() is false when a pivot vanishes or an entry is not finite.
     ShiftedFactor(const SparseMatrix& a, double shift);
 
     bool ok() const { return ok_; }
@@ -29,7 +29,7 @@ class ShiftedFactor {
     double shift_ = 0;
     bool ok_ = false;
     Index num_below_ = 0;
-    SparseMatrix lower_;      // strictly lower triangle of L
+    SparseMatrix lower_;  // strictly lower triangle of L
     Vector inverse_pivots_;
 };
 

@@ -1,5 +1,6 @@
-// The first eigenpairs of L u = lambda M u by spectrum slicing (Parlett 1980, ch. 3; Grimes, Lewis &
-// Simon 1994). M is diagonal, so the problem is A y = lambda y with A = M^-1/2 L M^-1/2, u = M^-1/2 y.
+// The first eigenpairs of L u = lambda M u by spectrum slicing (Parlett 1980, ch. 3; Grimes, Lewis
+// & Simon 1994). M is diagonal, so the problem is A y = lambda y with A = M^-1/2 L M^-1/2, u =
+// M^-1/2 y.
 //
 // 1. The null space (a constant on each connected component) is written down, never iterated for.
 // 2. Shifts are placed by Weyl's law and moved until the inertias of the factorised A - s I, which
@@ -10,9 +11,9 @@
 //    one more factorisation in the gap behind the last pair. What cannot be proved is an error.
 #include "geometry/spectrum.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <Eigen/Eigenvalues>
 #include <memory>
 #include <numeric>
 
@@ -24,9 +25,9 @@
 namespace mien {
 namespace {
 
-constexpr Index kSliceWidth = 80;     // balances solves against orthogonalisation (measured)
-constexpr Index kOverlap = 6;         // pairs that neighbouring slices both find
-constexpr Index kDenseSize = 320;     // below this a dense solver is faster than one slice
+constexpr Index kSliceWidth = 80;  // balances solves against orthogonalisation (measured)
+constexpr Index kOverlap = 6;      // pairs that neighbouring slices both find
+constexpr Index kDenseSize = 320;  // below this a dense solver is faster than one slice
 constexpr double kPi = 3.14159265358979323846;
 
 struct Problem {
@@ -81,7 +82,8 @@ Problem make_problem(const LaplaceOperator& laplace) {
             }
         }
     // Every diagonal entry must exist for the shift.
-    for (Index j = 0; j < n; ++j) entries.emplace_back(static_cast<int>(j), static_cast<int>(j), 0.0);
+    for (Index j = 0; j < n; ++j)
+        entries.emplace_back(static_cast<int>(j), static_cast<int>(j), 0.0);
     problem.a.resize(n, n);
     problem.a.setFromTriplets(entries.begin(), entries.end());
 
@@ -135,7 +137,8 @@ std::vector<Shift> place_shifts(const Problem& problem, Index last, const Contex
             const bool lowest = i == 0;
             const double end_pad = (lowest ? 0.5 * width : 0.0) + (open ? 0.5 * width : 0.0);
             const double gap = std::min(high_count, last + 0.5 * width) - low_count;
-            const double limit = lowest || open ? (lowest && open ? width : 0.9 * width) : 1.6 * width;
+            const double limit =
+                lowest || open ? (lowest && open ? width : 0.9 * width) : 1.6 * width;
             if (gap > limit && low_count < last) {
                 const int inner =
                     std::max(1, static_cast<int>(std::lround((gap + end_pad) / width)) - 1);
@@ -215,9 +218,10 @@ void join(const Context& context, Eigen::Ref<Matrix> left, Eigen::Ref<Matrix> ri
         // One Newton step towards the nearest orthonormal basis squares the defect.
         const Matrix half = 0.5 * cross, half_transposed = half.transpose();
         const Matrix old_left = left;
-        dense::multiply(context, -1.0, right, dense::Op::none, half_transposed, dense::Op::none, 1.0,
-                        left);
-        dense::multiply(context, -1.0, old_left, dense::Op::none, half, dense::Op::none, 1.0, right);
+        dense::multiply(context, -1.0, right, dense::Op::none, half_transposed, dense::Op::none,
+                        1.0, left);
+        dense::multiply(context, -1.0, old_left, dense::Op::none, half, dense::Op::none, 1.0,
+                        right);
         return;
     }
     for (Index c = 0; c < right.cols(); ++c) {
@@ -273,8 +277,8 @@ void sliced_pairs(const Problem& problem, Index k, EigenPairs& pairs, const Cont
             above[i] = std::min(between, between / 2 + kOverlap);
             below[i + 1] = std::min(between, between - between / 2 + kOverlap);
         } else {
-            above[i] = std::min(n - shifts[i].count,
-                                std::max<Index>(0, k - shifts[i].count) + kOverlap);
+            above[i] =
+                std::min(n - shifts[i].count, std::max<Index>(0, k - shifts[i].count) + kOverlap);
         }
     }
     std::vector<SlicePairs> slices(num_slices);
@@ -300,10 +304,10 @@ void sliced_pairs(const Problem& problem, Index k, EigenPairs& pairs, const Cont
             if (j < from_left && j >= right_offset &&
                 std::abs(left_values[j] - right_values[j - right_offset]) > tolerance)
                 fail_count(left_values[j]);
-            const double lower = j == 0 ? shifts[i].value
+            const double lower = j == 0           ? shifts[i].value
                                  : j <= from_left ? left_values[j - 1]
                                                   : right_values[j - 1 - right_offset];
-            const double upper = j == between ? shifts[i + 1].value
+            const double upper = j == between        ? shifts[i + 1].value
                                  : j >= right_offset ? right_values[j - right_offset]
                                                      : left_values[j];
             if (upper - lower > widest) {
@@ -337,7 +341,8 @@ void sliced_pairs(const Problem& problem, Index k, EigenPairs& pairs, const Cont
     for (std::size_t i = 0; i < num_slices; ++i) {
         const Index count = std::min(shares[i].end - shares[i].begin, k - column);
         if (count <= 0) break;
-        pairs.vectors.middleCols(column, count) = slices[i].vectors.middleCols(shares[i].begin, count);
+        pairs.vectors.middleCols(column, count) =
+            slices[i].vectors.middleCols(shares[i].begin, count);
         slices[i].vectors.resize(0, 0);
         column += count;
     }

@@ -1,5 +1,6 @@
 // The first eigenpairs of a Laplacian by spectrum slicing: several shift-invert runs side by side,
-// the inertia of each shifted LDL' factorisation as the count that proves none is missing or double.
+// the inertia of each shifted LDL' factorisation as the count that proves none is missing or
+// double.
 #pragma once
 
 #include "base/context.hpp"

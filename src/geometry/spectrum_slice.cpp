@@ -3,10 +3,10 @@
 // read of the factor among eight right-hand sides.
 #include "geometry/spectrum_slice.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <Eigen/Eigenvalues>
 #include <numeric>
 #include <vector>
 
@@ -24,8 +24,14 @@ class BlockLanczos {
   public:
     BlockLanczos(const ShiftedFactor& factor, const KernelProjector& kernel, Index n,
                  Index capacity, std::uint64_t seed, const Context& context)
-        : factor_(factor), kernel_(kernel), n_(n), state_(seed), space_(n, capacity), rows_(n * kSolveBlock),
-          block_(n, kSolveBlock), projected_(Matrix::Zero(capacity, capacity)) {
+        : factor_(factor),
+          kernel_(kernel),
+          n_(n),
+          state_(seed),
+          space_(n, capacity),
+          rows_(n * kSolveBlock),
+          block_(n, kSolveBlock),
+          projected_(Matrix::Zero(capacity, capacity)) {
         serial_.cancel = context.cancel;
         for (int c = 0; c < kSolveBlock; ++c) fill_random(block_.col(c));
         kernel_.remove(block_);
@@ -226,7 +232,8 @@ SlicePairs slice_eigenpairs(const ShiftedFactor& factor, const KernelProjector& 
 
     const Index m = theta.size();
     Matrix weights(m, wanted);
-    for (Index i = 0; i < wanted; ++i) weights.col(i) = ritz.col(chosen[static_cast<std::size_t>(i)]);
+    for (Index i = 0; i < wanted; ++i)
+        weights.col(i) = ritz.col(chosen[static_cast<std::size_t>(i)]);
     SlicePairs pairs;
     pairs.vectors.resize(n, wanted);
     pairs.values.resize(wanted);

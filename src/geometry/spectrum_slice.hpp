@@ -29,8 +29,9 @@ struct SlicePairs {
 };
 
 /// The `below` nearest eigenpairs below the factor's shift (the kernel's left out) and the `above`
-/// nearest above it, each without a gap. Deterministic; runs on the calling thread and checks cancellation. Throws
-/// Status::no_solution when the Lanczos space grows to n or `limit` vectors without converging.
+/// nearest above it, each without a gap. Deterministic; runs on the calling thread and checks
+/// cancellation. Throws Status::no_solution when the Lanczos space grows to n or `limit` vectors
+/// without converging.
 SlicePairs slice_eigenpairs(const ShiftedFactor& factor, const KernelProjector& kernel, Index below,
                             Index above, std::uint64_t seed, const Context& context);
 

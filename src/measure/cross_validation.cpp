@@ -95,7 +95,9 @@ CrossValidation cross_validate_pls(const ConstMatrixRef& x, const Vector& y,
         result.fold[i] = fold_of_group[static_cast<std::size_t>(group[i])];
         ++fold_size[static_cast<std::size_t>(result.fold[i])];
     }
-    const Matrix shared = options.scale ? Matrix(x) : options.column_factors ? Matrix() : principal_coordinates(x);
+    const Matrix shared = options.scale            ? Matrix(x)
+                          : options.column_factors ? Matrix()
+                                                   : principal_coordinates(x);
     const Index smallest = n - *std::max_element(fold_size.begin(), fold_size.end());
     const Index most = std::min<Index>({options.max_components, smallest - 1, x.cols()});
     if (most < 1)

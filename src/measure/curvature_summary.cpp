@@ -9,8 +9,8 @@
 namespace mien {
 namespace {
 
-CurvatureSummary summary_of(const CurvatureField& field, const Vector& areas, const std::vector<char>& inside,
-                            const std::string& name) {
+CurvatureSummary summary_of(const CurvatureField& field, const Vector& areas,
+                            const std::vector<char>& inside, const std::string& name) {
     CurvatureSummary summary;
     summary.name = name;
     double area = 0.0, squares = 0.0, bending = 0.0;
@@ -26,11 +26,11 @@ CurvatureSummary summary_of(const CurvatureField& field, const Vector& areas, co
         bending += a * 0.5 * (k1 * k1 + k2 * k2);
     }
     if (!(area > 0)) return summary;
-    for (double* value : {&summary.mean_mean_per_mm, &summary.mean_gaussian_per_mm2, &summary.mean_maximal_per_mm,
-                          &summary.mean_minimal_per_mm})
+    for (double* value : {&summary.mean_mean_per_mm, &summary.mean_gaussian_per_mm2,
+                          &summary.mean_maximal_per_mm, &summary.mean_minimal_per_mm})
         *value /= area;
-    summary.sd_mean_per_mm =
-        std::sqrt(std::max(0.0, squares / area - summary.mean_mean_per_mm * summary.mean_mean_per_mm));
+    summary.sd_mean_per_mm = std::sqrt(
+        std::max(0.0, squares / area - summary.mean_mean_per_mm * summary.mean_mean_per_mm));
     summary.bending_per_mm = std::sqrt(bending / area);
     return summary;
 }

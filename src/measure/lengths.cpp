@@ -17,7 +17,8 @@ std::vector<PlaceLength> measure_lengths(const PointsRef& vertices, const Triang
     for (std::size_t k = 0; k < pairs.size(); ++k)
         for (const std::uint32_t place : pairs[k]) {
             if (place >= static_cast<std::uint64_t>(vertices.rows()))
-                fail_at(Status::mismatch, static_cast<std::int64_t>(k), "pair %zu names vertex %u of %lld", k, place,
+                fail_at(Status::mismatch, static_cast<std::int64_t>(k),
+                        "pair %zu names vertex %u of %lld", k, place,
                         static_cast<long long>(vertices.rows()));
             places.push_back(place);
         }
@@ -25,14 +26,16 @@ std::vector<PlaceLength> measure_lengths(const PointsRef& vertices, const Triang
     places.erase(std::unique(places.begin(), places.end()), places.end());
     std::vector<PlaceLength> lengths(pairs.size());
     if (pairs.empty()) return lengths;
-    context.require_memory(static_cast<std::size_t>(vertices.rows()) * places.size() * sizeof(float),
-                           "geodesic distances");
+    context.require_memory(
+        static_cast<std::size_t>(vertices.rows()) * places.size() * sizeof(float),
+        "geodesic distances");
     const HeatGeodesics geodesics(vertices, triangles, HeatOptions(), context);
     Eigen::MatrixXf distances(vertices.rows(), static_cast<Index>(places.size()));
     geodesics.distances(places, distances, context);
     make_symmetric(places, distances);
     const auto column_of = [&](std::uint32_t place) {
-        return static_cast<Index>(std::lower_bound(places.begin(), places.end(), place) - places.begin());
+        return static_cast<Index>(std::lower_bound(places.begin(), places.end(), place) -
+                                  places.begin());
     };
     for (std::size_t k = 0; k < pairs.size(); ++k) {
         const auto [from, to] = pairs[k];

@@ -1,7 +1,7 @@
 // Lengths between places of a face: straight, and along the skin.
 //
-// Along the skin by the heat method (geometry/heat_method.hpp), the mean of the way there and the way
-// back: within about one percent of the true geodesic. A straight length goes through the head.
+// Along the skin by the heat method (geometry/heat_method.hpp), the mean of the way there and the
+// way back: within about one percent of the true geodesic. A straight length goes through the head.
 #pragma once
 
 #include <array>
@@ -18,8 +18,9 @@ struct PlaceLength {
     double geodesic_mm = 0.0;  ///< infinite where no surface joins the two
 };
 
-/// One length per pair of vertices. Throws Status::invalid_mesh for a damaged surface, Status::mismatch for a
-/// vertex that does not exist. One factorisation, O(#V^1.5), and two solves per distinct vertex.
+/// One length per pair of vertices. Throws Status::invalid_mesh for a damaged surface,
+/// Status::mismatch for a vertex that does not exist. One factorisation, O(#V^1.5), and two solves
+/// per distinct vertex.
 std::vector<PlaceLength> measure_lengths(const PointsRef& vertices, const TrianglesRef& triangles,
                                          const std::vector<std::array<std::uint32_t, 2>>& pairs,
                                          const Context& context);

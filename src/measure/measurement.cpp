@@ -116,8 +116,8 @@ Measurement measure_volume_fully(const PointsRef& before, const PointsRef& after
 
 Measurement measurement_of(const ScanVolumeReport& report, double limit_of_detection_ml) {
     if (!(limit_of_detection_ml >= 0) || !std::isfinite(limit_of_detection_ml))
-        fail(Status::invalid_argument, "limit of detection %g mL; give a positive one, or 0 for none",
-             limit_of_detection_ml);
+        fail(Status::invalid_argument,
+             "limit of detection %g mL; give a positive one, or 0 for none", limit_of_detection_ml);
     Measurement result;
     result.limit_of_detection_ml = limit_of_detection_ml;
     result.volume = report.volume;

@@ -43,8 +43,8 @@ Measurement measure_volume_fully(const PointsRef& before, const PointsRef& after
                                  const TrianglesRef& triangles, const MeasureOptions& options,
                                  const Context& context);
 
-/// A scan-to-scan volume as a measurement without deviations; limit as in MeasureOptions. Shares per vertex
-/// are not kept.
+/// A scan-to-scan volume as a measurement without deviations; limit as in MeasureOptions. Shares
+/// per vertex are not kept.
 Measurement measurement_of(const ScanVolumeReport& report, double limit_of_detection_ml);
 
 /// UTF-8, numbers shortest that read back the same; what is not known is null.

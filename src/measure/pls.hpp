@@ -65,7 +65,8 @@ struct CrossValidationOptions {
     /// One number per sample; samples of one group (a person's captures) never part. Empty: every
     /// sample is its own group.
     std::vector<int> groups;
-    /// Optional: factors on the predictors' columns, learned from these samples alone. Runs on several threads.
+    /// Optional: factors on the predictors' columns, learned from these samples alone. Runs on
+    /// several threads.
     std::function<Vector(const std::vector<Index>& training)> column_factors;
 };
 

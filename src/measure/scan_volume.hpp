@@ -49,8 +49,9 @@ RigidZoneResult align_scans_on_zone(const TriMesh& source, const TriMesh& target
                                     const std::vector<std::uint32_t>& zone, const Similarity& start,
                                     const ScanAlignmentOptions& options, const Context& context);
 
-/// Two fits of one template: by correspondence first, then by surface. A fit lies on its scan to a tenth of a
-/// millimetre but slides along it by more than one, and a slide over the nose would tilt the whole face.
+/// Two fits of one template: by correspondence first, then by surface. A fit lies on its scan to a
+/// tenth of a millimetre but slides along it by more than one, and a slide over the nose would tilt
+/// the whole face.
 RigidZoneResult align_fits_on_zone(const PointsRef& source, const TriMesh& target,
                                    const std::vector<std::uint32_t>& zone, const Context& context);
 

@@ -1,9 +1,9 @@
 #include "measure/score_direction.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 
 #include "base/dense.hpp"
 #include "base/error.hpp"
@@ -14,11 +14,11 @@ namespace {
 constexpr double kLadder[] = {3, 5, 10, 20, 30, 45, 60, 80, 100, 150};  ///< m
 constexpr Index kMostVertices = 1500;
 constexpr int kSteps = 40;
-constexpr double kStill = 1e-3;    ///< of |c|, between two steps
-constexpr double kBlunt = 1e-2;    ///< of b: lengths below count as this
-constexpr double kRank = 1e-9;     ///< of the largest eigenvalue
-constexpr double kClearly = 0.7;   ///< of the regression's risk
-constexpr double kShrinkage = 1.0;  ///< of a slope's variance
+constexpr double kStill = 1e-3;      ///< of |c|, between two steps
+constexpr double kBlunt = 1e-2;      ///< of b: lengths below count as this
+constexpr double kRank = 1e-9;       ///< of the largest eigenvalue
+constexpr double kClearly = 0.7;     ///< of the regression's risk
+constexpr double kShrinkage = 1.0;   ///< of a slope's variance
 constexpr double kRounding = 1e-20;  ///< of all that moves
 constexpr double kLeastFocus = 0.01;
 
@@ -29,8 +29,8 @@ struct Chance {
 };
 
 /// basis: R and the six columns of Z.
-Chance chance_within(const Matrix& basis, const Vector& slope, const Vector& shares, double places, const Vector& start,
-                     const Context& context) {
+Chance chance_within(const Matrix& basis, const Vector& slope, const Vector& shares, double places,
+                     const Vector& start, const Context& context) {
     const Index vertices = shares.size(), columns = basis.cols(), k = columns - 6;
     Chance chance{start, 0};
     Matrix gram(columns, columns), system;
@@ -43,7 +43,8 @@ Chance chance_within(const Matrix& basis, const Vector& slope, const Vector& sha
         if (!(mean > 0)) break;  // nothing is left to weigh
         for (Index v = 0; v < vertices; ++v) {
             const double squared = lengths[v] * lengths[v] + kBlunt * kBlunt * mean * mean;
-            weights.segment<3>(3 * v).setConstant(places * shares[v] * std::pow(squared, -0.75) / std::sqrt(mean));
+            weights.segment<3>(3 * v).setConstant(places * shares[v] * std::pow(squared, -0.75) /
+                                                  std::sqrt(mean));
         }
         dense::weighted_gram(context, basis, weights, gram);
         system = gram;
@@ -51,7 +52,8 @@ Chance chance_within(const Matrix& basis, const Vector& slope, const Vector& sha
         const Eigen::LLT<Matrix> factor(system);
         const Vector next = factor.solve(basis.transpose() * weights.cwiseProduct(slope));
         if (factor.info() != Eigen::Success || !next.allFinite())
-            fail(Status::no_solution, "the direction of the score cannot be told from how people differ");
+            fail(Status::no_solution,
+                 "the direction of the score cannot be told from how people differ");
         const double moved = (next - chance.coefficients).norm();
         chance.coefficients = next;
         chance.risk = next.head(k).squaredNorm() - static_cast<double>(k) +
@@ -77,8 +79,9 @@ Matrix rigid_motions(const PointsRef& face) {
 
 }  // namespace
 
-ScoreDirection score_direction(const PointsRef& mean_face, const Eigen::Ref<const Matrix>& displacements,
-                               const Vector& areas, const Vector& grades, const Context& context) {
+ScoreDirection score_direction(const PointsRef& mean_face,
+                               const Eigen::Ref<const Matrix>& displacements, const Vector& areas,
+                               const Vector& grades, const Context& context) {
     const Index vertices = areas.size(), n = grades.size();
     const Vector centred = grades.array() - grades.mean();
     const double squares = centred.squaredNorm();
@@ -94,13 +97,16 @@ ScoreDirection score_direction(const PointsRef& mean_face, const Eigen::Ref<cons
     dense::weighted_gram(context, residuals, Vector(), gram);
     const Eigen::SelfAdjointEigenSolver<Matrix> eigen(gram);
     if (eigen.info() != Eigen::Success)
-        fail(Status::no_solution, "the direction of the score cannot be told from how people differ");
+        fail(Status::no_solution,
+             "the direction of the score cannot be told from how people differ");
     const Vector& values = eigen.eigenvalues();
     if (!(values[n - 1] > kRounding * displacements.squaredNorm())) return direction;
     const Index k = (values.array() > kRank * values[n - 1]).count();
-    const Matrix mixing = eigen.eigenvectors().rightCols(k) / std::sqrt(static_cast<double>(n - 2) * squares);
+    const Matrix mixing =
+        eigen.eigenvectors().rightCols(k) / std::sqrt(static_cast<double>(n - 2) * squares);
 
-    const Index stride = (vertices + kMostVertices - 1) / kMostVertices, used = (vertices + stride - 1) / stride;
+    const Index stride = (vertices + kMostVertices - 1) / kMostVertices,
+                used = (vertices + stride - 1) / stride;
     const Matrix motions = rigid_motions(mean_face);
     Matrix rows(3 * used, n), basis(3 * used, k + 6);
     Vector slope(3 * used), shares(used);
@@ -129,7 +135,8 @@ ScoreDirection score_direction(const PointsRef& mean_face, const Eigen::Ref<cons
         direction.places = 0;
         for (Index v = 0; v < vertices; ++v) {
             auto own = direction.displacement.segment<3>(3 * v);
-            const double variance = residuals.middleRows<3>(3 * v).squaredNorm() / (static_cast<double>(n - 2) * squares);
+            const double variance = residuals.middleRows<3>(3 * v).squaredNorm() /
+                                    (static_cast<double>(n - 2) * squares);
             own *= std::max(0.0, 1.0 - kShrinkage * variance / std::max(own.squaredNorm(), 1e-300));
         }
         return direction;
@@ -140,7 +147,8 @@ ScoreDirection score_direction(const PointsRef& mean_face, const Eigen::Ref<cons
 
 Vector focus_of(const ScoreDirection& direction) {
     const Vector& moved = direction.displacement;
-    const Vector lengths = Eigen::Map<const Points>(moved.data(), moved.size() / 3, 3).rowwise().norm();
+    const Vector lengths =
+        Eigen::Map<const Points>(moved.data(), moved.size() / 3, 3).rowwise().norm();
     const double longest = lengths.maxCoeff();
     if (direction.places == 0 || !(longest > 0)) return Vector::Ones(lengths.size());
     return (lengths / longest).cwiseMax(kLeastFocus);

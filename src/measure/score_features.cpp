@@ -41,7 +41,8 @@ void features_of(const Points& aligned, const PointsRef& mean, const TrianglesRe
     options.radius_mm = scales.curvature_radius_mm;
     options.robust = false;  // fitted templates have no spikes
     const CurvatureField field = estimate_curvature(aligned, triangles, options, Context());
-    const double bound = 1.0 / scales.curvature_radius_mm;  // what a fit over this radius can resolve
+    const double bound =
+        1.0 / scales.curvature_radius_mm;  // what a fit over this radius can resolve
     for (Index v = 0; v < aligned.rows(); ++v)
         if (scales.displacement[v] > 0) {
             row[next++] = scales.curvature[v] * std::clamp(field.maximal[v], -bound, bound);
@@ -49,7 +50,8 @@ void features_of(const Points& aligned, const PointsRef& mean, const TrianglesRe
         }
 }
 
-Vector repeated_for_features(const Vector& per_vertex, const Vector& displacement_scale, Index count) {
+Vector repeated_for_features(const Vector& per_vertex, const Vector& displacement_scale,
+                             Index count) {
     Vector result(count);
     Index next = 0;
     for (const Index repeats : {3, 2})

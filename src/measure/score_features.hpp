@@ -31,6 +31,7 @@ void features_of(const Points& aligned, const PointsRef& mean, const TrianglesRe
                  const FeatureScales& scales, Eigen::Ref<Eigen::RowVectorXd> row);
 
 /// A factor of each vertex, repeated for its features in their order; `count` of them.
-Vector repeated_for_features(const Vector& per_vertex, const Vector& displacement_scale, Index count);
+Vector repeated_for_features(const Vector& per_vertex, const Vector& displacement_scale,
+                             Index count);
 
 }  // namespace mien

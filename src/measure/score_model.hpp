@@ -2,8 +2,8 @@
 // principal curvatures), partial least squares on raters' grades, prediction with an interval, and
 // the face along the score (jousse-2022, chapter 3 as summarised in 1.4, 5.1 and C.3).
 //
-// Focus. Each feature counts by how far its vertex moves with the score (score_direction.hpp), found anew in every
-// fold: where a score does nothing, people's differences are nothing but noise.
+// Focus. Each feature counts by how far its vertex moves with the score (score_direction.hpp),
+// found anew in every fold: where a score does nothing, people's differences are nothing but noise.
 //
 // Features. Faces are aligned rigidly on the stable zone (or all of the face, robustly). Vertex i
 // gives sqrt(area_i w_i) times its displacement (3) and c sqrt(area_i w_i) times its two principal
@@ -15,8 +15,8 @@
 // held-out faces were wrong, wider for faces unlike the training (after Faber & Kowalski 1997).
 //
 // Simulation. The displacement that goes with one grade is the regression of each vertex'
-// displacement on the grades, without what chance put into it (score_direction.hpp): how faces that score higher look, not
-// the filter that computes the score (Haufe et al. 2014).
+// displacement on the grades, without what chance put into it (score_direction.hpp): how faces that
+// score higher look, not the filter that computes the score (Haufe et al. 2014).
 #pragma once
 
 #include <memory>
@@ -35,7 +35,7 @@ struct ScoreOptions {
     int max_components = 10;  ///< 1 .. 50
     int folds = 10;           ///< 0: leave one person out
     std::uint64_t seed = 1;
-    bool focus = true;  ///< false: every vertex counts by its area alone
+    bool focus = true;             ///< false: every vertex counts by its area alone
     double curvature_share = 0.1;  ///< total variance of curvatures over displacements; 0: none
     double curvature_radius_mm = 8.0;
     std::vector<std::uint32_t> zone;         ///< of interest; empty: the whole face
@@ -64,7 +64,7 @@ struct ScoreModel {
     int best_components = 0, one_se_components = 0;
     double lowest = 0.0, highest = 0.0;
     double focus_places = 0;  ///< how many places the focus takes a face for; 0: none, or loaded
-    Vector cv_predictions;  ///< n, of held-out faces; empty when loaded
+    Vector cv_predictions;    ///< n, of held-out faces; empty when loaded
 
     Index num_components() const { return rotations.cols(); }
 };

@@ -59,12 +59,14 @@ GradedFaces graded_faces(const FaceDataset& faces, const Vector& grades) {
         fail(Status::invalid_argument, "%lld graded faces; a score needs six or more",
              static_cast<long long>(n));
     result.grades.resize(n);
-    for (Index i = 0; i < n; ++i) result.grades[i] = grades[result.places[static_cast<std::size_t>(i)]];
+    for (Index i = 0; i < n; ++i)
+        result.grades[i] = grades[result.places[static_cast<std::size_t>(i)]];
     return result;
 }
 
 /// Mean of the faces aligned to the first one, then to that mean.
-Points mean_aligned_face(const GradedFaces& graded, const ScoreModel& model, const Context& context) {
+Points mean_aligned_face(const GradedFaces& graded, const ScoreModel& model,
+                         const Context& context) {
     Points face;
     graded.faces.face(graded.places.front(), face);
     Points reference = face;
@@ -82,19 +84,19 @@ Points mean_aligned_face(const GradedFaces& graded, const ScoreModel& model, con
 
 /// The square roots of the vertices' areas in the zone of interest.
 Vector area_scale(const std::vector<std::uint32_t>& zone, const Vector& areas) {
-    const std::vector<char> inside = zone.empty()
-                                         ? std::vector<char>(static_cast<std::size_t>(areas.size()), 1)
-                                         : membership(zone, areas.size());
+    const std::vector<char> inside =
+        zone.empty() ? std::vector<char>(static_cast<std::size_t>(areas.size()), 1)
+                     : membership(zone, areas.size());
     Vector scale = Vector::Zero(areas.size());
     for (Index v = 0; v < areas.size(); ++v)
         if (inside[static_cast<std::size_t>(v)]) scale[v] = std::sqrt(areas[v]);
-    if (!(scale.maxCoeff() > 0))
-        fail(Status::invalid_argument, "the zone of interest has no area");
+    if (!(scale.maxCoeff() > 0)) fail(Status::invalid_argument, "the zone of interest has no area");
     return scale;
 }
 
 /// Gives the curvatures of all faces together the chosen share of the displacements' variance.
-void balance_curvature(double share, Index num_displacements, Matrix& features, Vector& curvature_scale) {
+void balance_curvature(double share, Index num_displacements, Matrix& features,
+                       Vector& curvature_scale) {
     const Index num_curvatures = features.cols() - num_displacements;
     if (num_curvatures == 0) return;
     const auto variance = [](const auto& block) {
@@ -108,41 +110,47 @@ void balance_curvature(double share, Index num_displacements, Matrix& features, 
 }
 
 /// Chooses the scales of the model's features and reads the faces by them.
-TrainingRows training_rows(const GradedFaces& graded, const ScoreOptions& options, ScoreModel& model,
-                           const Context& context) {
+TrainingRows training_rows(const GradedFaces& graded, const ScoreOptions& options,
+                           ScoreModel& model, const Context& context) {
     const Index n = graded.count(), num_vertices = model.mean_face.rows();
     TrainingRows rows;
     rows.areas = vertex_areas(model.mean_face, model.triangles);
     model.displacement_scale = area_scale(options.zone, rows.areas);
     model.curvature_scale =
         options.curvature_share > 0 ? model.displacement_scale : Vector(Vector::Zero(num_vertices));
-    const FeatureScales scales{model.displacement_scale, model.curvature_scale, model.curvature_radius_mm};
+    const FeatureScales scales{model.displacement_scale, model.curvature_scale,
+                               model.curvature_radius_mm};
     const Index p = feature_count(scales);
-    context.require_memory(static_cast<std::size_t>(n) * static_cast<std::size_t>(3 * p + 15 * num_vertices) * 8,
-                           "score features");
+    context.require_memory(
+        static_cast<std::size_t>(n) * static_cast<std::size_t>(3 * p + 15 * num_vertices) * 8,
+        "score features");
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> by_row(n, p);
     rows.displacements.resize(3 * num_vertices, n);
     parallel_for(context, static_cast<std::size_t>(n), 1, [&](std::size_t begin, std::size_t) {
         const Index i = static_cast<Index>(begin);
         Points face;
         graded.faces.face(graded.places[begin], face);
-        const Points aligned = align_face(face, model.mean_face, model.triangles, model.stable_zone);
+        const Points aligned =
+            align_face(face, model.mean_face, model.triangles, model.stable_zone);
         const Points displacement = aligned - model.mean_face;
-        rows.displacements.col(i) = Eigen::Map<const Vector>(displacement.data(), displacement.size());
+        rows.displacements.col(i) =
+            Eigen::Map<const Vector>(displacement.data(), displacement.size());
         Eigen::RowVectorXd row(p);
         features_of(aligned, model.mean_face, model.triangles, scales, row);
         by_row.row(i) = row;
     });
     context.progress(Stage::training, 0.7);
     rows.features = by_row;
-    balance_curvature(options.curvature_share, displacement_count(scales), rows.features, model.curvature_scale);
+    balance_curvature(options.curvature_share, displacement_count(scales), rows.features,
+                      model.curvature_scale);
     rows.displacements.colwise() -= rows.displacements.rowwise().mean().eval();
     return rows;
 }
 
 /// Cross-validation over subjects; with a focus, each fold learns its own from its training faces.
-CrossValidation validate(const GradedFaces& graded, const TrainingRows& rows, const ScoreOptions& options,
-                         const ScoreModel& model, const Context& context) {
+CrossValidation validate(const GradedFaces& graded, const TrainingRows& rows,
+                         const ScoreOptions& options, const ScoreModel& model,
+                         const Context& context) {
     CrossValidationOptions settings;
     settings.method = options.method;
     settings.max_components = std::max(options.max_components, options.num_components);
@@ -151,7 +159,8 @@ CrossValidation validate(const GradedFaces& graded, const TrainingRows& rows, co
     std::vector<int> distinct(graded.subjects);
     std::sort(distinct.begin(), distinct.end());
     distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
-    settings.folds = options.folds == 0 ? 0 : std::min<int>(options.folds, static_cast<int>(distinct.size()));
+    settings.folds =
+        options.folds == 0 ? 0 : std::min<int>(options.folds, static_cast<int>(distinct.size()));
     const Index p = rows.features.cols();
     if (options.focus)
         settings.column_factors = [&](const std::vector<Index>& training) {
@@ -162,7 +171,8 @@ CrossValidation validate(const GradedFaces& graded, const TrainingRows& rows, co
                 grades[i] = graded.grades[training[static_cast<std::size_t>(i)]];
             }
             if ((grades.array() == grades[0]).all()) return Vector(Vector::Ones(p));
-            const Vector focus = focus_of(score_direction(model.mean_face, own, rows.areas, grades, context));
+            const Vector focus =
+                focus_of(score_direction(model.mean_face, own, rows.areas, grades, context));
             return repeated_for_features(focus, model.displacement_scale, p);
         };
     return cross_validate_pls(rows.features, graded.grades, settings, context);
@@ -172,7 +182,8 @@ CrossValidation validate(const GradedFaces& graded, const TrainingRows& rows, co
 void apply_focus(const ScoreDirection& direction, Matrix& features, ScoreModel& model) {
     const Vector focus = focus_of(direction);
     model.focus_places = direction.places;
-    features *= repeated_for_features(focus, model.displacement_scale, features.cols()).asDiagonal();
+    features *=
+        repeated_for_features(focus, model.displacement_scale, features.cols()).asDiagonal();
     model.displacement_scale.array() *= focus.array();
     model.curvature_scale.array() *= focus.array();
 }
@@ -213,7 +224,8 @@ ScoreModel train_score(const FaceDataset& faces, const Vector& grades, const Sco
                        const Context& context) {
     check_options(options);
     const GradedFaces graded = graded_faces(faces, grades);
-    check_zones({{"of interest", options.zone}, {"stable", options.stable_zone}}, faces.num_vertices());
+    check_zones({{"of interest", options.zone}, {"stable", options.stable_zone}},
+                faces.num_vertices());
 
     ScoreModel model;
     model.triangles = faces.triangles();

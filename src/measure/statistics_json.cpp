@@ -4,8 +4,8 @@
 #include <map>
 
 #include "base/error.hpp"
-#include "measure/icc.hpp"
 #include "base/json_text.hpp"
+#include "measure/icc.hpp"
 
 namespace mien {
 namespace {

@@ -1,9 +1,9 @@
 #include "mesh/cleaning.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <Eigen/Geometry>
 #include <numeric>
 
 #include "base/error.hpp"

@@ -30,8 +30,8 @@ class FaceDataset {
 
     /// Copies face k, #V x 3, into `out` (resized), scaled to millimetres.
     void face(Index k, Points& out) const;
-    /// Lets go of the memory that face k's part of the mapped file takes: for passes over sets that are
-    /// larger than memory. The face can be read again at any time.
+    /// Lets go of the memory that face k's part of the mapped file takes: for passes over sets that
+    /// are larger than memory. The face can be read again at any time.
     void release_face(Index k) const;
     /// Raw access for streaming training: f32 or f64 row-major [s, n, 3].
     const TensorView& vertices() const { return vertices_; }

@@ -1,9 +1,9 @@
 #include "mesh/decimation.hpp"
 
-#include <OpenMesh/Tools/Decimater/DecimaterT.hh>
-#include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
 #include <algorithm>
 #include <array>
+#include <OpenMesh/Tools/Decimater/DecimaterT.hh>
+#include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
 
 #include "base/error.hpp"
 #include "mesh/half_edge.hpp"
@@ -68,15 +68,18 @@ DecimatedMesh decimate(const TriMesh& mesh, Index num_vertices, const Context& c
     for (const auto f : half_edges.faces()) {
         std::array<std::uint32_t, 3> corners{};
         int k = 0;
-        for (const auto v : f.vertices()) corners[static_cast<std::size_t>(k++)] = place[static_cast<std::size_t>(v.idx())];
-        std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+        for (const auto v : f.vertices())
+            corners[static_cast<std::size_t>(k++)] = place[static_cast<std::size_t>(v.idx())];
+        std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()),
+                    corners.end());
         triangles.push_back(corners);
     }
     std::sort(triangles.begin(), triangles.end());
     result.mesh.triangles.resize(static_cast<Index>(triangles.size()), 3);
     for (std::size_t f = 0; f < triangles.size(); ++f)
         for (int k = 0; k < 3; ++k)
-            result.mesh.triangles(static_cast<Index>(f), k) = triangles[f][static_cast<std::size_t>(k)];
+            result.mesh.triangles(static_cast<Index>(f), k) =
+                triangles[f][static_cast<std::size_t>(k)];
     return result;
 }
 

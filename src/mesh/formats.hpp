@@ -25,7 +25,8 @@ void write_off(AtomicFile& file, const TriMesh& mesh, const Context& context);
 /// Cancellation is looked at once per so many elements.
 constexpr std::size_t kCancelInterval = 1 << 16;
 
-/// Hands `out` over to the file, and asks for cancellation, whenever it has grown past kCancelInterval bytes.
+/// Hands `out` over to the file, and asks for cancellation, whenever it has grown past
+/// kCancelInterval bytes.
 void write_when_long(AtomicFile& file, std::string& out, const Context& context);
 
 /// Marks a corner without texture coordinate in PolygonSink.

@@ -1,8 +1,8 @@
 // STL, binary and ASCII. The size decides first: many binary files begin with "solid" too. Corners
 // with equal coordinates become one vertex; normals are recomputed where they are needed.
-#include <Eigen/Geometry>
 #include <cmath>
 #include <cstring>
+#include <Eigen/Geometry>
 
 #include "mesh/formats.hpp"
 #include "mesh/text_cursor.hpp"

@@ -24,10 +24,11 @@ struct FloatMatrixView {
 /// Immutable once built or loaded; shared freely between threads. Millimetres.
 struct DeformationModel {
     TriMesh template_mesh;
-    FloatMatrixView basis;      ///< #V x r, columns scaled by sqrt(lambda_j), strongest first
-    Vector eigenvalues;         ///< r, lambda_j of the kernel operator, descending
-    Points mean_displacement;   ///< #V x 3 or empty (zero)
-    FloatMatrixView pca_modes;  ///< 3#V x p (x0 y0 z0 x1 ...), scaled by their deviations; p may be 0
+    FloatMatrixView basis;     ///< #V x r, columns scaled by sqrt(lambda_j), strongest first
+    Vector eigenvalues;        ///< r, lambda_j of the kernel operator, descending
+    Points mean_displacement;  ///< #V x 3 or empty (zero)
+    FloatMatrixView
+        pca_modes;  ///< 3#V x p (x0 y0 z0 x1 ...), scaled by their deviations; p may be 0
     /// r x 3 or empty (ones): a_j ~ N(0, diag(row j)). Only models built with a preference for
     /// mirror symmetry have it; treating it as ones is still a valid, less informed prior.
     Matrix prior_variance;

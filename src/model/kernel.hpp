@@ -12,9 +12,9 @@
 namespace mien {
 
 enum class KernelKind : std::int32_t {
-    euclidean_se = 1,    ///< s^2 exp(-|x - x'|^2 / 2 sigma^2)            (2.18)
-    geodesic_se = 2,     ///< s^2 exp(-geodesic(x, x')^2 / 2 sigma^2)     (2.19), not positive definite
-    bspline = 3,         ///< cubic B-splines on a grid of sigma / 4       (2.15), (2.16)
+    euclidean_se = 1,  ///< s^2 exp(-|x - x'|^2 / 2 sigma^2)            (2.18)
+    geodesic_se = 2,  ///< s^2 exp(-geodesic(x, x')^2 / 2 sigma^2)     (2.19), not positive definite
+    bspline = 3,      ///< cubic B-splines on a grid of sigma / 4       (2.15), (2.16)
     surface_matern = 4,  ///< Matern from Laplace-Beltrami eigenpairs, positive definite
 };
 

@@ -48,8 +48,9 @@ KernelBlocks prepare_kernel_blocks(const TriMesh& mesh, const std::vector<Kernel
                            "building a deformation model");
     std::vector<std::uint32_t> control;
     if (!spectral_only(terms)) control = farthest_points(mesh.vertices, mesh.triangles, count);
-    // Twice as many pairs as modes: eigenfunctions spread their detail evenly over the area, the modes
-    // that are kept put it where the vertices are. On faces that is worth a tenth of the residual.
+    // Twice as many pairs as modes: eigenfunctions spread their detail evenly over the area, the
+    // modes that are kept put it where the vertices are. On faces that is worth a tenth of the
+    // residual.
     const Index num_pairs = 2 * num_modes + 1;
     return KernelBlocks(mesh, std::move(control), terms, num_pairs, heat, context);
 }

@@ -1,9 +1,9 @@
 #include "model/kernel_blocks.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <Eigen/Geometry>
 #include <limits>
 #include <queue>
 
@@ -108,7 +108,8 @@ std::vector<std::uint32_t> farthest_points(const PointsRef& vertices, const Tria
         return a.first != b.first ? a.first < b.first : a.second > b.second;
     };
     std::priority_queue<Entry, std::vector<Entry>, decltype(nearer)> farthest(nearer);
-    for (std::size_t v = 0; v < n; ++v) farthest.emplace(distance[v], static_cast<std::uint32_t>(v));
+    for (std::size_t v = 0; v < n; ++v)
+        farthest.emplace(distance[v], static_cast<std::uint32_t>(v));
     auto next = static_cast<std::uint32_t>(start);
     while (static_cast<Index>(chosen.size()) < count) {
         chosen.push_back(next);
@@ -141,11 +142,10 @@ MaternSpectrum matern_spectrum(const Vector& laplace_eigenvalues, double area_mm
     const double kappa_squared = 2 * term.nu / (term.sigma_mm * term.sigma_mm);
     MaternSpectrum spectrum;
     // Relative to kappa^2, so that no power over- or underflows.
-    spectrum.variances = (1 + laplace_eigenvalues.array().max(0.0) / kappa_squared)
-                             .pow(-(term.nu + 1))
-                             .matrix();
-    const double last = 1 + std::max(0.0, laplace_eigenvalues[laplace_eigenvalues.size() - 1]) /
-                                kappa_squared;
+    spectrum.variances =
+        (1 + laplace_eigenvalues.array().max(0.0) / kappa_squared).pow(-(term.nu + 1)).matrix();
+    const double last =
+        1 + std::max(0.0, laplace_eigenvalues[laplace_eigenvalues.size() - 1]) / kappa_squared;
     const double beyond =
         area_mm2 * kappa_squared / (4 * EIGEN_PI * term.nu) * std::pow(last, -term.nu);
     const double total = spectrum.variances.sum() + beyond;
@@ -177,12 +177,13 @@ KernelBlocks::KernelBlocks(const TriMesh& mesh, std::vector<std::uint32_t> contr
             context.progress(Stage::geodesics, static_cast<double>(first) /
                                                    static_cast<double>(control_points_.size()));
             const std::size_t last = std::min(control_points_.size(), first + step);
-            const std::vector<std::uint32_t> some(control_points_.begin() + static_cast<std::ptrdiff_t>(first),
-                                                  control_points_.begin() + static_cast<std::ptrdiff_t>(last));
-            heat.distances(some,
-                           geodesic_.middleCols(static_cast<Index>(first),
-                                                static_cast<Index>(last - first)),
-                           context);
+            const std::vector<std::uint32_t> some(
+                control_points_.begin() + static_cast<std::ptrdiff_t>(first),
+                control_points_.begin() + static_cast<std::ptrdiff_t>(last));
+            heat.distances(
+                some,
+                geodesic_.middleCols(static_cast<Index>(first), static_cast<Index>(last - first)),
+                context);
         }
         make_symmetric(control_points_, geodesic_);
         context.progress(Stage::geodesics, 1);
@@ -190,7 +191,8 @@ KernelBlocks::KernelBlocks(const TriMesh& mesh, std::vector<std::uint32_t> contr
     if (spectral) {
         const LaplaceOperator laplace =
             build_laplacian(mesh.vertices, mesh.triangles, LaplacianOptions{});
-        pairs_ = smallest_eigenpairs(laplace, std::min(num_pairs, mesh.vertices.rows() - 1), context);
+        pairs_ =
+            smallest_eigenpairs(laplace, std::min(num_pairs, mesh.vertices.rows() - 1), context);
     }
 }
 

@@ -20,10 +20,11 @@ namespace mien {
 std::vector<std::uint32_t> farthest_points(const PointsRef& vertices, const TrianglesRef& triangles,
                                            Index count);
 
-/// Matern spectrum on a surface: lambda_j = c (kappa^2 + mu_j)^-(nu + 1), kappa = sqrt(2 nu) / sigma,
-/// the solution of (kappa^2 - Laplace)^((nu + 1) / 2) u = white noise in two dimensions (Whittle;
-/// Lindgren, Rue and Lindstroem 2011). c makes the area-weighted mean of k(x, x) over all modes
-/// scale^2; the modes beyond the computed ones are counted by Weyl's law mu_j ~ 4 pi j / area.
+/// Matern spectrum on a surface: lambda_j = c (kappa^2 + mu_j)^-(nu + 1), kappa = sqrt(2 nu) /
+/// sigma, the solution of (kappa^2 - Laplace)^((nu + 1) / 2) u = white noise in two dimensions
+/// (Whittle; Lindgren, Rue and Lindstroem 2011). c makes the area-weighted mean of k(x, x) over all
+/// modes scale^2; the modes beyond the computed ones are counted by Weyl's law mu_j ~ 4 pi j /
+/// area.
 struct MaternSpectrum {
     Vector variances;  ///< lambda_j of the computed modes, descending
     double tail = 0;   ///< share of the total variance beyond them

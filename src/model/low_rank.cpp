@@ -1,8 +1,8 @@
 #include "model/low_rank.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <Eigen/Eigenvalues>
 
 #include "base/dense.hpp"
 #include "base/error.hpp"
@@ -26,7 +26,8 @@ void check(const RankOptions& options) {
 void symmetric_eigen(const Matrix& matrix, Vector& values, Matrix& vectors) {
     Eigen::SelfAdjointEigenSolver<Matrix> solver(matrix);
     if (solver.info() != Eigen::Success || !solver.eigenvalues().allFinite())
-        fail(Status::no_solution, "the eigenvalues of the kernel's %lld x %lld block did not converge",
+        fail(Status::no_solution,
+             "the eigenvalues of the kernel's %lld x %lld block did not converge",
              static_cast<long long>(matrix.rows()), static_cast<long long>(matrix.cols()));
     values = solver.eigenvalues();
     vectors = solver.eigenvectors();
@@ -76,7 +77,8 @@ LowRankBasis principal_basis(const Matrix& factor, const Vector& diagonal,
         (captured - diagonal).cwiseAbs().maxCoeff() / diagonal.maxCoeff();
     result.basis = basis.cast<float>();
     if (!result.basis.allFinite())
-        fail(Status::no_solution, "the deformation basis is not finite; check the template's units");
+        fail(Status::no_solution,
+             "the deformation basis is not finite; check the template's units");
     context.progress(Stage::basis, 1);
     return result;
 }
@@ -110,8 +112,8 @@ Matrix nystrom_factor(Matrix& columns, const std::vector<std::uint32_t>& control
         if (values[j] > options.threshold * largest) ++kept;
     }
     report.negative_mass = negative / mass;
-    Matrix right = vectors.rightCols(kept) *
-                   values.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
+    Matrix right =
+        vectors.rightCols(kept) * values.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
     vectors.resize(0, 0);
     block.resize(0, 0);
     Matrix factor(columns.rows(), kept);

@@ -35,13 +35,15 @@ std::vector<std::uint32_t> mirror_map(const TriMesh& mesh) {
     for (Index v = 0; v < n; ++v) {
         const Eigen::RowVector3d image(-mesh.vertices(v, 0), mesh.vertices(v, 1),
                                        mesh.vertices(v, 2));
-        auto at = std::lower_bound(by_y.begin(), by_y.end(), image[1] - reach,
-                                   [&](std::uint32_t a, double y) { return mesh.vertices(a, 1) < y; });
+        auto at =
+            std::lower_bound(by_y.begin(), by_y.end(), image[1] - reach,
+                             [&](std::uint32_t a, double y) { return mesh.vertices(a, 1) < y; });
         double best = reach * reach;
         bool found = false;
         for (; at != by_y.end() && mesh.vertices(*at, 1) <= image[1] + reach; ++at) {
             const double squared = (mesh.vertices.row(*at) - image).squaredNorm();
-            if (squared < best || (squared == best && found && *at < mirror[static_cast<std::size_t>(v)])) {
+            if (squared < best ||
+                (squared == best && found && *at < mirror[static_cast<std::size_t>(v)])) {
                 best = squared;
                 mirror[static_cast<std::size_t>(v)] = *at;
                 found = true;
@@ -55,10 +57,11 @@ std::vector<std::uint32_t> mirror_map(const TriMesh& mesh) {
     }
     for (std::size_t v = 0; v < mirror.size(); ++v)
         if (mirror[mirror[v]] != v)
-            fail_at(Status::invalid_mesh, static_cast<std::int64_t>(v),
-                    "the template is not symmetric about x = 0: vertices %zu and %lld do not mirror "
-                    "each other; build without mirror symmetry",
-                    v, static_cast<long long>(mirror[v]));
+            fail_at(
+                Status::invalid_mesh, static_cast<std::int64_t>(v),
+                "the template is not symmetric about x = 0: vertices %zu and %lld do not mirror "
+                "each other; build without mirror symmetry",
+                v, static_cast<long long>(mirror[v]));
     return mirror;
 }
 
@@ -103,7 +106,8 @@ LowRankBasis mirrored_basis(const Matrix& factor, const Vector& diagonal,
     merged.basis.resize(factor.rows(), static_cast<Index>(rank));
     merged.eigenvalues.resize(static_cast<Index>(rank));
     for (std::size_t j = 0; j < rank; ++j) {
-        merged.basis.col(static_cast<Index>(j)) = parts[columns[j].part].basis.col(columns[j].index);
+        merged.basis.col(static_cast<Index>(j)) =
+            parts[columns[j].part].basis.col(columns[j].index);
         merged.eigenvalues[static_cast<Index>(j)] = columns[j].value;
         merged.parity.push_back(columns[j].part == 0 ? 1 : -1);
     }

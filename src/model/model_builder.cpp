@@ -41,8 +41,9 @@ void check_options(const ModelOptions& options, const TriMesh& mesh) {
              static_cast<long long>(scale.size()), static_cast<long long>(mesh.vertices.rows()));
     for (Index v = 0; v < scale.size(); ++v)
         if (!(scale[v] >= 0) || !std::isfinite(scale[v]))
-            fail_at(Status::invalid_argument, v, "the scale of vertex %lld is %g; give numbers >= 0",
-                    static_cast<long long>(v), scale[v]);
+            fail_at(Status::invalid_argument, v,
+                    "the scale of vertex %lld is %g; give numbers >= 0", static_cast<long long>(v),
+                    scale[v]);
     if (scale.size() != 0 && !(scale.maxCoeff() > 0))
         fail(Status::invalid_argument, "every vertex scale is zero; nothing could move");
     if (!(options.mirror_correlation >= 0 && options.mirror_correlation <= 1))
@@ -92,9 +93,8 @@ LowRankReport build_basis(const TriMesh& mesh, const ModelOptions& options, cons
     rank.num_modes = scalar_modes(options, mesh);
     rank.tolerance = options.tolerance;
     rank.threshold = options.eigenvalue_threshold;
-    const KernelBlocks blocks =
-        prepare_kernel_blocks(mesh, options.kernels, rank.num_modes, options.num_control_points,
-                              options.heat, context);
+    const KernelBlocks blocks = prepare_kernel_blocks(
+        mesh, options.kernels, rank.num_modes, options.num_control_points, options.heat, context);
     std::vector<std::uint32_t> mirror;
     if (options.mirror_symmetric) mirror = mirror_map(mesh);
     LowRankBasis low_rank = kernel_basis(blocks, options.kernels, rank, options.scale_per_vertex,

@@ -1,4 +1,5 @@
-// From a template and kernels to a deformation model: control points, kernel columns, low-rank basis.
+// From a template and kernels to a deformation model: control points, kernel columns, low-rank
+// basis.
 #pragma once
 
 #include <memory>
@@ -14,18 +15,21 @@
 namespace mien {
 
 struct ModelOptions {
-    std::vector<KernelTerm> kernels = std::vector<KernelTerm>(1);  ///< summed; may be empty beside pca_faces
-    /// Borrowed, or null: registered faces for a mean and principal modes on top of the kernel, whose
-    /// scale_mm is then the deviation of what the faces do not explain. Without kernels: those alone.
+    std::vector<KernelTerm> kernels =
+        std::vector<KernelTerm>(1);  ///< summed; may be empty beside pca_faces
+    /// Borrowed, or null: registered faces for a mean and principal modes on top of the kernel,
+    /// whose scale_mm is then the deviation of what the faces do not explain. Without kernels:
+    /// those alone.
     const FaceDataset* pca_faces = nullptr;
     PcaOptions pca;
     Index num_modes = 999;         ///< deformation modes at most; 3 make one scalar mode
     double tolerance = 0;          ///< > 0: stop when this share of the variance is left
     Index num_control_points = 0;  ///< 0: max(1000, num_modes), never more than #V
-    double eigenvalue_threshold = 1e-4;  ///< of the kernel's block among the control points, relative
-    Vector scale_per_vertex;       ///< empty, or #V factors >= 0 of the displacement's deviation
-    bool mirror_symmetric = false; ///< modes purely even or odd about the plane x = 0
-    double mirror_correlation = 0; ///< 0 .. 1: how much both sides are expected to move alike
+    double eigenvalue_threshold =
+        1e-4;                       ///< of the kernel's block among the control points, relative
+    Vector scale_per_vertex;        ///< empty, or #V factors >= 0 of the displacement's deviation
+    bool mirror_symmetric = false;  ///< modes purely even or odd about the plane x = 0
+    double mirror_correlation = 0;  ///< 0 .. 1: how much both sides are expected to move alike
     HeatOptions heat;
 };
 

@@ -1,5 +1,5 @@
-// Deformation models as safetensors: the wide tensors first, then a filler so that the basis starts on
-// a 64-byte boundary of the file and of any page-aligned mapping.
+// Deformation models as safetensors: the wide tensors first, then a filler so that the basis starts
+// on a 64-byte boundary of the file and of any page-aligned mapping.
 #include <algorithm>
 #include <cmath>
 
@@ -15,7 +15,9 @@ constexpr int kMajor = 1;
 constexpr std::uint64_t kAlignment = 64;
 const char* const kInfoPrefix = "info.";
 
-std::uint64_t size_of(Index count) { return static_cast<std::uint64_t>(count); }
+std::uint64_t size_of(Index count) {
+    return static_cast<std::uint64_t>(count);
+}
 
 Points read_points(const TensorView& view) {
     return Eigen::Map<const Points>(static_cast<const double*>(view.data),
@@ -58,13 +60,15 @@ void read_names(const SafetensorsFile& file, DeformationModel& model) {
     const Index n = model.num_vertices();
     if (file.has("landmark_vertices")) {
         const TensorView& view = file.tensor("landmark_vertices", DType::u32, {-1});
-        const auto names = parse_json_string_list(file.metadata("landmark_names"), "landmark_names");
+        const auto names =
+            parse_json_string_list(file.metadata("landmark_names"), "landmark_names");
         const auto* vertices = static_cast<const std::uint32_t*>(view.data);
         if (names.size() != view.count)
             fail(Status::bad_format, "%zu landmark names for %llu landmarks", names.size(),
                  static_cast<unsigned long long>(view.count));
         check_vertices(vertices, view.count, n, "landmark_vertices");
-        for (std::size_t i = 0; i < names.size(); ++i) model.landmarks.push_back({names[i], vertices[i]});
+        for (std::size_t i = 0; i < names.size(); ++i)
+            model.landmarks.push_back({names[i], vertices[i]});
     }
     if (file.has("zone_vertices")) {
         const TensorView& view = file.tensor("zone_vertices", DType::u32, {-1});
@@ -77,7 +81,8 @@ void read_names(const SafetensorsFile& file, DeformationModel& model) {
         for (std::size_t z = 0; z < names.size(); ++z) {
             const std::uint64_t size = static_cast<const std::uint32_t*>(sizes.data)[z];
             if (size > view.count - begin)
-                fail(Status::bad_format, "tensor 'zone_sizes' asks for more than 'zone_vertices' has");
+                fail(Status::bad_format,
+                     "tensor 'zone_sizes' asks for more than 'zone_vertices' has");
             model.zones.push_back({names[z], {vertices + begin, vertices + begin + size}});
             begin += size;
         }
@@ -86,9 +91,8 @@ void read_names(const SafetensorsFile& file, DeformationModel& model) {
 
 }  // namespace
 
-std::shared_ptr<const DeformationModel> load_deformation_model(const std::string& path,
-                                                               const SafetensorsReadOptions& options,
-                                                               const Context& context) {
+std::shared_ptr<const DeformationModel> load_deformation_model(
+    const std::string& path, const SafetensorsReadOptions& options, const Context& context) {
     return read_deformation_model(SafetensorsFile::open(path, options, context));
 }
 

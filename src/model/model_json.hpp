@@ -8,7 +8,8 @@
 namespace mien {
 
 /// {"vertices", "triangles", "scalar_modes", "deformation_modes", "pca_modes", "landmarks": {name:
-/// vertex}, "zones": {name: count}, "info": {...}}. Entries of info that are numbers stand as numbers.
+/// vertex}, "zones": {name: count}, "info": {...}}. Entries of info that are numbers stand as
+/// numbers.
 std::string model_json(const DeformationModel& model);
 
 }  // namespace mien

@@ -1,10 +1,10 @@
 #include "model/point_distribution.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <Eigen/Eigenvalues>
+#include <Eigen/SparseCholesky>
 #include <numeric>
 
 #include "base/dense.hpp"
@@ -36,7 +36,8 @@ void check_correspondence(const FaceDataset& faces, const TriMesh& mesh) {
     const auto sorted = [](const Triangles& triangles) {
         std::vector<std::array<std::uint32_t, 3>> keys(static_cast<std::size_t>(triangles.rows()));
         for (std::size_t t = 0; t < keys.size(); ++t) {
-            for (int k = 0; k < 3; ++k) keys[t][static_cast<std::size_t>(k)] = triangles(static_cast<Index>(t), k);
+            for (int k = 0; k < 3; ++k)
+                keys[t][static_cast<std::size_t>(k)] = triangles(static_cast<Index>(t), k);
             std::sort(keys[t].begin(), keys[t].end());
         }
         std::sort(keys.begin(), keys.end());
@@ -45,7 +46,8 @@ void check_correspondence(const FaceDataset& faces, const TriMesh& mesh) {
     const auto wanted = sorted(faces.triangles()), known = sorted(mesh.triangles);
     if (!std::includes(known.begin(), known.end(), wanted.begin(), wanted.end()))
         fail(Status::mismatch,
-             "the dataset's triangles are not the template's; register the faces with this template");
+             "the dataset's triangles are not the template's; register the faces with this "
+             "template");
 }
 
 /// Rigid motions of the chosen faces onto the template, or identities.
@@ -85,11 +87,13 @@ Matrix extend_smoothly(const TriMesh& mesh, const Matrix& known, double length_m
     const SparseMatrix coupling = energy.block(have, 0, missing, have);
     Eigen::SimplicialLDLT<SparseMatrix> solver(inner);
     if (solver.info() != Eigen::Success)
-        fail(Status::no_solution, "the modes cannot be continued over the template's other vertices");
+        fail(Status::no_solution,
+             "the modes cannot be continued over the template's other vertices");
     const Matrix right = -(coupling * known);
     all.bottomRows(missing) = solver.solve(right);
     if (!all.allFinite())
-        fail(Status::no_solution, "the modes cannot be continued over the template's other vertices");
+        fail(Status::no_solution,
+             "the modes cannot be continued over the template's other vertices");
     return all;
 }
 
@@ -108,8 +112,9 @@ PointDistribution train_point_distribution(const FaceDataset& faces, const TriMe
              "principal modes need at least two %sfaces, the dataset has %lld",
              options.all_expressions ? "" : "neutral ", static_cast<long long>(s));
     const Index nd = faces.num_vertices(), rows = 3 * nd;
-    context.require_memory(static_cast<std::size_t>(s) * static_cast<std::size_t>(3 * s + kSliceRows) * 8,
-                           "principal modes of the faces");
+    context.require_memory(
+        static_cast<std::size_t>(s) * static_cast<std::size_t>(3 * s + kSliceRows) * 8,
+        "principal modes of the faces");
     const std::vector<Similarity> motion =
         motions(faces, chosen, template_mesh, options.align, context);
 
@@ -122,7 +127,8 @@ PointDistribution train_point_distribution(const FaceDataset& faces, const TriMe
         if (options.align) face = motion[k].apply(face);
         for (Index v = 0; v < nd; ++v)
             for (int c = 0; c < 3; ++c)
-                mean[3 * v + c] += (face(v, c) - template_mesh.vertices(v, c)) / static_cast<double>(s);
+                mean[3 * v + c] +=
+                    (face(v, c) - template_mesh.vertices(v, c)) / static_cast<double>(s);
     }
     if (!mean.allFinite())
         fail(Status::corrupt, "the dataset holds coordinates that are not finite");
@@ -143,7 +149,8 @@ PointDistribution train_point_distribution(const FaceDataset& faces, const TriMe
     for (Index first = 0; first < rows; first += kSliceRows) {
         context.progress(Stage::training,
                          0.2 + 0.4 * static_cast<double>(first) / static_cast<double>(rows));
-        dense::weighted_gram(context, slice(first, std::min(kSliceRows, rows - first)), Vector(), part);
+        dense::weighted_gram(context, slice(first, std::min(kSliceRows, rows - first)), Vector(),
+                             part);
         gram += part;
     }
     gram /= static_cast<double>(s - 1);

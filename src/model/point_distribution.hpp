@@ -22,22 +22,23 @@ struct PcaOptions {
 };
 
 struct PointDistribution {
-    Points mean;             ///< #V x 3, mean displacement from the template, mm
-    Eigen::MatrixXf modes;   ///< 3#V x p, each of the length of its deviation; largest entry positive
-    Vector variances;        ///< p, sample variances (divisor faces - 1), mm^2
+    Points mean;  ///< #V x 3, mean displacement from the template, mm
+    Eigen::MatrixXf
+        modes;         ///< 3#V x p, each of the length of its deviation; largest entry positive
+    Vector variances;  ///< p, sample variances (divisor faces - 1), mm^2
     double variance_explained = 0;
     Index num_faces = 0;
     Index num_vertices = 0;  ///< that the faces cover
 };
 
-/// Throws Status::mismatch when the faces are not in the template's correspondence (more vertices, or
-/// triangles the template has not), invalid_argument when fewer than two faces qualify. Memory: one
-/// faces x faces matrix and the modes; faces are read in slices. O(faces^2 #V + faces^3).
+/// Throws Status::mismatch when the faces are not in the template's correspondence (more vertices,
+/// or triangles the template has not), invalid_argument when fewer than two faces qualify. Memory:
+/// one faces x faces matrix and the modes; faces are read in slices. O(faces^2 #V + faces^3).
 PointDistribution train_point_distribution(const FaceDataset& faces, const TriMesh& template_mesh,
                                            const PcaOptions& options, const Context& context);
 
-/// Continues values given at vertices 0 .. known.rows() - 1 over the rest of the mesh. Pieces of the
-/// mesh without any known vertex stay at zero. Any number of columns.
+/// Continues values given at vertices 0 .. known.rows() - 1 over the rest of the mesh. Pieces of
+/// the mesh without any known vertex stay at zero. Any number of columns.
 Matrix extend_smoothly(const TriMesh& mesh, const Matrix& known, double length_mm,
                        const Context& context);
 

@@ -1,8 +1,8 @@
 #include "model/posterior.hpp"
 
+#include <cmath>
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <cmath>
 
 #include "base/dense.hpp"
 #include "base/error.hpp"
@@ -28,16 +28,19 @@ void check(const DeformationModel& model, const std::vector<LandmarkObservation>
                     static_cast<long long>(seen.vertex),
                     static_cast<long long>(model.num_vertices()));
         if (!seen.displacement_mm.allFinite())
-            fail_at(Status::invalid_argument, at, "the displacement of landmark %zu is not finite", i);
+            fail_at(Status::invalid_argument, at, "the displacement of landmark %zu is not finite",
+                    i);
         if (!(seen.noise_mm >= kLeastNoise) || !std::isfinite(seen.noise_mm))
-            fail_at(Status::invalid_argument, at, "landmark %zu has a noise of %g mm; give at least %g",
-                    i, seen.noise_mm, kLeastNoise);
+            fail_at(Status::invalid_argument, at,
+                    "landmark %zu has a noise of %g mm; give at least %g", i, seen.noise_mm,
+                    kLeastNoise);
     }
     if (model.prior_variance.rows() != 0 &&
         (model.prior_variance.array() - 1).abs().maxCoeff() > 1e-12)
-        fail(Status::unsupported_option,
-             "a model with a mirror correlation has no posterior in one scalar basis; build it with "
-             "correlation 0");
+        fail(
+            Status::unsupported_option,
+            "a model with a mirror correlation has no posterior in one scalar basis; build it with "
+            "correlation 0");
 }
 
 /// Symmetric square root of a positive definite matrix.
@@ -57,8 +60,9 @@ std::shared_ptr<const DeformationModel> condition_model(
     check(model, observations);
     const Index n = model.num_vertices(), r = model.basis.cols, p = model.pca_modes.cols;
     const Index h = static_cast<Index>(observations.size());
-    context.require_memory(static_cast<std::size_t>(n) * static_cast<std::size_t>(2 * r + 3 * p) * 12,
-                           "a posterior model");
+    context.require_memory(
+        static_cast<std::size_t>(n) * static_cast<std::size_t>(2 * r + 3 * p) * 12,
+        "a posterior model");
     context.progress(Stage::basis, 0);
     const auto basis = model.basis.map();
     const auto modes = model.pca_modes.map();
@@ -109,7 +113,8 @@ std::shared_ptr<const DeformationModel> condition_model(
     result->info = model.info;
     result->info["posterior_landmarks"] = std::to_string(h);
     const Matrix full = basis.cast<double>();
-    Points mean = model.mean_displacement.rows() != 0 ? model.mean_displacement : Points::Zero(n, 3);
+    Points mean =
+        model.mean_displacement.rows() != 0 ? model.mean_displacement : Points::Zero(n, 3);
     mean += full * a_mean;
     storage->pca_modes.resize(3 * n, p);
     if (p != 0) {
@@ -119,7 +124,8 @@ std::shared_ptr<const DeformationModel> condition_model(
             for (Index v = 0; v < n; ++v) own.row(v) = modes.row(3 * v + c).cast<double>();
             mean.col(c) += own * c_mean;
             own = ((own - bend) * c_root).eval();
-            for (Index v = 0; v < n; ++v) storage->pca_modes.row(3 * v + c) = own.row(v).cast<float>();
+            for (Index v = 0; v < n; ++v)
+                storage->pca_modes.row(3 * v + c) = own.row(v).cast<float>();
         }
     }
     context.progress(Stage::basis, 0.3);
@@ -140,7 +146,8 @@ std::shared_ptr<const DeformationModel> condition_model(
         const Matrix v = f.transpose() * eigen.eigenvectors() * inverse_length.asDiagonal();
         Matrix reduced = full;
         const Matrix along = full * v * shrink.asDiagonal();
-        dense::multiply(context, -1.0, along, dense::Op::none, v, dense::Op::transpose, 1.0, reduced);
+        dense::multiply(context, -1.0, along, dense::Op::none, v, dense::Op::transpose, 1.0,
+                        reduced);
         RankOptions rank;
         rank.num_modes = r;
         LowRankBasis principal =

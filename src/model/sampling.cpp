@@ -15,7 +15,8 @@ constexpr std::size_t kVertexChunk = 1024;
 
 Points displacement(const DeformationModel& model, const ModelCoefficients& coefficients,
                     const Context& context) {
-    const Index n = model.num_vertices(), r = coefficients.kernel.rows(), p = coefficients.pca.size();
+    const Index n = model.num_vertices(), r = coefficients.kernel.rows(),
+                p = coefficients.pca.size();
     if (r > model.basis.cols || (r != 0 && coefficients.kernel.cols() != 3))
         fail(Status::mismatch, "%lld x %lld kernel coefficients for a model of %lld scalar modes",
              static_cast<long long>(r), static_cast<long long>(coefficients.kernel.cols()),
@@ -23,21 +24,25 @@ Points displacement(const DeformationModel& model, const ModelCoefficients& coef
     if (p > model.pca_modes.cols)
         fail(Status::mismatch, "%lld vector coefficients for a model of %lld vector modes",
              static_cast<long long>(p), static_cast<long long>(model.pca_modes.cols));
-    Points result = model.mean_displacement.rows() != 0 ? model.mean_displacement : Points::Zero(n, 3);
+    Points result =
+        model.mean_displacement.rows() != 0 ? model.mean_displacement : Points::Zero(n, 3);
     const auto basis = model.basis.map();
     const auto modes = model.pca_modes.map();
-    parallel_for(context, static_cast<std::size_t>(n), kVertexChunk, [&](std::size_t begin, std::size_t end) {
-        const Index first = static_cast<Index>(begin), size = static_cast<Index>(end - begin);
-        for (Index j = 0; j < r; ++j) {
-            const Eigen::RowVector3d a = coefficients.kernel.row(j);
-            result.middleRows(first, size).noalias() +=
-                basis.col(j).segment(first, size).cast<double>() * a;
-        }
-        for (Index j = 0; j < p; ++j)
-            for (Index v = first; v < first + size; ++v)
-                for (int c = 0; c < 3; ++c)
-                    result(v, c) += static_cast<double>(modes(3 * v + c, j)) * coefficients.pca[j];
-    });
+    parallel_for(context, static_cast<std::size_t>(n), kVertexChunk,
+                 [&](std::size_t begin, std::size_t end) {
+                     const Index first = static_cast<Index>(begin),
+                                 size = static_cast<Index>(end - begin);
+                     for (Index j = 0; j < r; ++j) {
+                         const Eigen::RowVector3d a = coefficients.kernel.row(j);
+                         result.middleRows(first, size).noalias() +=
+                             basis.col(j).segment(first, size).cast<double>() * a;
+                     }
+                     for (Index j = 0; j < p; ++j)
+                         for (Index v = first; v < first + size; ++v)
+                             for (int c = 0; c < 3; ++c)
+                                 result(v, c) +=
+                                     static_cast<double>(modes(3 * v + c, j)) * coefficients.pca[j];
+                 });
     return result;
 }
 
@@ -68,22 +73,25 @@ Points pointwise_variance(const DeformationModel& model, const Context& context)
     Points variance = Points::Zero(n, 3);
     const auto basis = model.basis.map();
     const auto modes = model.pca_modes.map();
-    parallel_for(context, static_cast<std::size_t>(n), kVertexChunk, [&](std::size_t begin, std::size_t end) {
-        const Index first = static_cast<Index>(begin), size = static_cast<Index>(end - begin);
-        for (Index j = 0; j < basis.cols(); ++j) {
-            const Vector squared = basis.col(j).segment(first, size).cast<double>().cwiseAbs2();
-            for (int c = 0; c < 3; ++c) {
-                const double prior = model.prior_variance.rows() != 0 ? model.prior_variance(j, c) : 1.0;
-                variance.col(c).segment(first, size) += prior * squared;
-            }
-        }
-        for (Index j = 0; j < modes.cols(); ++j)
-            for (Index v = first; v < first + size; ++v)
+    parallel_for(
+        context, static_cast<std::size_t>(n), kVertexChunk,
+        [&](std::size_t begin, std::size_t end) {
+            const Index first = static_cast<Index>(begin), size = static_cast<Index>(end - begin);
+            for (Index j = 0; j < basis.cols(); ++j) {
+                const Vector squared = basis.col(j).segment(first, size).cast<double>().cwiseAbs2();
                 for (int c = 0; c < 3; ++c) {
-                    const double value = modes(3 * v + c, j);
-                    variance(v, c) += value * value;
+                    const double prior =
+                        model.prior_variance.rows() != 0 ? model.prior_variance(j, c) : 1.0;
+                    variance.col(c).segment(first, size) += prior * squared;
                 }
-    });
+            }
+            for (Index j = 0; j < modes.cols(); ++j)
+                for (Index v = first; v < first + size; ++v)
+                    for (int c = 0; c < 3; ++c) {
+                        const double value = modes(3 * v + c, j);
+                        variance(v, c) += value * value;
+                    }
+        });
     return variance;
 }
 

@@ -15,12 +15,13 @@ struct ModelCoefficients {
     Vector pca;
 };
 
-/// #V x 3, mm: mean + basis a + pca_modes c. Throws Status::mismatch for more coefficients than modes.
+/// #V x 3, mm: mean + basis a + pca_modes c. Throws Status::mismatch for more coefficients than
+/// modes.
 Points displacement(const DeformationModel& model, const ModelCoefficients& coefficients,
                     const Context& context);
 
-/// Random face number `index` of `seed`, the same whatever else was drawn: the template displaced by
-/// the mean and `strength` times a draw from the prior.
+/// Random face number `index` of `seed`, the same whatever else was drawn: the template displaced
+/// by the mean and `strength` times a draw from the prior.
 TriMesh sample_face(const DeformationModel& model, std::uint64_t seed, std::uint64_t index,
                     double strength, const Context& context);
 

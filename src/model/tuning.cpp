@@ -1,8 +1,8 @@
 #include "model/tuning.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <Eigen/Cholesky>
 #include <numeric>
 
 #include "base/dense.hpp"
@@ -34,8 +34,9 @@ void check(const TuneOptions& options, const FaceDataset& faces, const TriMesh& 
 
 }  // namespace
 
-std::vector<double> fit_residuals(const Eigen::MatrixXf& basis, const std::vector<Points>& displacements,
-                                  double rho, const Context& context) {
+std::vector<double> fit_residuals(const Eigen::MatrixXf& basis,
+                                  const std::vector<Points>& displacements, double rho,
+                                  const Context& context) {
     if (displacements.empty()) return {};
     const Index known = displacements.front().rows(), r = basis.cols();
     const Index columns = 3 * static_cast<Index>(displacements.size());
@@ -80,12 +81,13 @@ TuneReport tune_kernel(const TriMesh& template_mesh, const FaceDataset& faces,
         faces.face(k, face);
         displacements.push_back(face - template_mesh.vertices.topRows(known));
         if (!displacements.back().allFinite())
-            fail_at(Status::corrupt, k, "face %lld of the dataset is not finite", static_cast<long long>(k));
+            fail_at(Status::corrupt, k, "face %lld of the dataset is not finite",
+                    static_cast<long long>(k));
     }
     RankOptions rank;
     rank.num_modes = std::min(options.num_modes / 3, template_mesh.vertices.rows());
-    const KernelBlocks blocks = prepare_kernel_blocks(template_mesh, {options.kernel}, rank.num_modes, 0,
-                                                      options.heat, context);
+    const KernelBlocks blocks = prepare_kernel_blocks(template_mesh, {options.kernel},
+                                                      rank.num_modes, 0, options.heat, context);
     for (const double sigma : options.sigmas_mm) {
         context.progress(Stage::fitting, static_cast<double>(report.points.size()) /
                                              static_cast<double>(options.sigmas_mm.size()));
@@ -114,8 +116,8 @@ TuneReport tune_kernel(const TriMesh& template_mesh, const FaceDataset& faces,
     return report;
 }
 
-std::vector<Index> select_faces(const FaceDataset& faces, const std::vector<std::string>& expressions,
-                                Index max_subjects) {
+std::vector<Index> select_faces(const FaceDataset& faces,
+                                const std::vector<std::string>& expressions, Index max_subjects) {
     if (max_subjects < 0) fail(Status::invalid_argument, "a negative number of subjects");
     std::vector<char> wanted(faces.expression_names().size(), expressions.empty() ? 1 : 0);
     for (const std::string& name : expressions) {

@@ -1,6 +1,6 @@
 // The search for a kernel's length scale (2.6.1): for each sigma, fit faces whose correspondence is
-// known and look at what is left. y = face - template, alpha = argmin |y - A alpha|^2 + rho |alpha|^2
-// (2.38)-(2.39), residual |y - A alpha|, averaged over the faces.
+// known and look at what is left. y = face - template, alpha = argmin |y - A alpha|^2 + rho
+// |alpha|^2 (2.38)-(2.39), residual |y - A alpha|, averaged over the faces.
 #pragma once
 
 #include <string>
@@ -15,12 +15,12 @@
 namespace mien {
 
 struct TuneOptions {
-    KernelTerm kernel;            ///< its sigma is replaced by each of `sigmas_mm`
+    KernelTerm kernel;  ///< its sigma is replaced by each of `sigmas_mm`
     int levels = 1;
     std::vector<double> sigmas_mm;
-    Index num_modes = 999;        ///< deformation modes
-    double rho = 5;               ///< >= 0
-    std::vector<Index> faces;     ///< of the dataset; empty: all
+    Index num_modes = 999;     ///< deformation modes
+    double rho = 5;            ///< >= 0
+    std::vector<Index> faces;  ///< of the dataset; empty: all
     HeatOptions heat;
 };
 
@@ -40,21 +40,22 @@ struct TuneReport {
     std::size_t best = 0;  ///< of the lowest mean; the first one on a tie
 };
 
-/// Geodesic distances and eigenpairs are computed once for all sigmas. Faces may cover only the first
-/// vertices of the template. Progress stage: fitting, after geodesics and basis.
+/// Geodesic distances and eigenpairs are computed once for all sigmas. Faces may cover only the
+/// first vertices of the template. Progress stage: fitting, after geodesics and basis.
 TuneReport tune_kernel(const TriMesh& template_mesh, const FaceDataset& faces,
                        const TuneOptions& options, const Context& context);
 
 /// Residuals of fits with known correspondence: displacements (#known x 3 each) in the span of the
 /// basis' first rows.
-std::vector<double> fit_residuals(const Eigen::MatrixXf& basis, const std::vector<Points>& displacements,
-                                  double rho, const Context& context);
+std::vector<double> fit_residuals(const Eigen::MatrixXf& basis,
+                                  const std::vector<Points>& displacements, double rho,
+                                  const Context& context);
 
-/// Faces with one of the expressions (none given: all) of the first max_subjects subjects in the dataset's
-/// order (0: all). Throws Status::not_found for an expression the dataset has not, invalid_argument when
-/// nothing is left.
-std::vector<Index> select_faces(const FaceDataset& faces, const std::vector<std::string>& expressions,
-                                Index max_subjects);
+/// Faces with one of the expressions (none given: all) of the first max_subjects subjects in the
+/// dataset's order (0: all). Throws Status::not_found for an expression the dataset has not,
+/// invalid_argument when nothing is left.
+std::vector<Index> select_faces(const FaceDataset& faces,
+                                const std::vector<std::string>& expressions, Index max_subjects);
 
 std::string tune_json(const TuneReport& report);
 

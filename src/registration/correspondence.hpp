@@ -13,13 +13,14 @@ namespace mien {
 enum class RobustWeight { none, welsch, huber, tukey };
 
 struct CorrespondenceOptions {
-    bool reject_border = true;         ///< hits on the scan's border
-    double max_angle_deg = 60;         ///< between the normals of vertex and hit, fading over 5 degrees to both sides; 180: no filter
+    bool reject_border = true;  ///< hits on the scan's border
+    double max_angle_deg = 60;  ///< between the normals of vertex and hit, fading over 5 degrees to
+                                ///< both sides; 180: no filter
     double max_distance_mm = 1e30;
-    bool mutual = false;               ///< the hit's nearest template vertex must be near the vertex
+    bool mutual = false;  ///< the hit's nearest template vertex must be near the vertex
     double mutual_distance_mm = 3;
     RobustWeight robust = RobustWeight::welsch;
-    double robust_scale_mm = 3;        ///< where the weight falls to exp(-1/2) (Welsch)
+    double robust_scale_mm = 3;  ///< where the weight falls to exp(-1/2) (Welsch)
 };
 
 struct Correspondences {
@@ -28,8 +29,8 @@ struct Correspondences {
     Vector weight;                 ///< #V, 0 where a filter said no
 };
 
-/// `places` and `place_normals` are the template's, #V x 3, scan frame. `scan_weight` is empty or one
-/// weight per scan vertex. Old hits in `result` are used as hints.
+/// `places` and `place_normals` are the template's, #V x 3, scan frame. `scan_weight` is empty or
+/// one weight per scan vertex. Old hits in `result` are used as hints.
 void find_correspondences(const ScanSurface& scan, const PointsRef& places,
                           const PointsRef& place_normals, const Vector& scan_weight,
                           const CorrespondenceOptions& options, Correspondences& result,

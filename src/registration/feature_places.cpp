@@ -1,8 +1,8 @@
 #include "registration/feature_places.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <Eigen/Geometry>
 #include <limits>
 
 #include "spatial/triangle_tree.hpp"
@@ -11,11 +11,14 @@ namespace mien {
 namespace {
 
 // Places of prefix0, prefix1, ... at rest; empty when one is missing.
-std::vector<Vector3> landmark_places(const DeformationModel& model, const std::string& prefix, int count, int digits) {
+std::vector<Vector3> landmark_places(const DeformationModel& model, const std::string& prefix,
+                                     int count, int digits) {
     std::vector<Vector3> places;
     for (int k = 0; k < count; ++k) {
         std::string number = std::to_string(k);
-        number.insert(0, static_cast<std::size_t>(std::max(0, digits - static_cast<int>(number.size()))), '0');
+        number.insert(
+            0, static_cast<std::size_t>(std::max(0, digits - static_cast<int>(number.size()))),
+            '0');
         for (const Landmark& landmark : model.landmarks)
             if (landmark.name == prefix + number)
                 places.push_back(model.template_mesh.vertices.row(landmark.vertex).transpose());
@@ -29,7 +32,8 @@ double distance_to_line(const Vector3& point, const std::vector<Vector3>& line, 
         const Vector3& from = line[k];
         const Vector3 along = line[(k + 1) % line.size()] - from;
         const double squared = along.squaredNorm();
-        const double t = squared > 0 ? std::clamp((point - from).dot(along) / squared, 0.0, 1.0) : 0;
+        const double t =
+            squared > 0 ? std::clamp((point - from).dot(along) / squared, 0.0, 1.0) : 0;
         best = std::min(best, (point - from - t * along).norm());
     }
     return best;
@@ -39,7 +43,8 @@ double distance_to_line(const Vector3& point, const std::vector<Vector3>& line, 
 bool is_within(const Vector3& point, const std::vector<Vector3>& ring) {
     Vector3 centre = Vector3::Zero(), normal = Vector3::Zero();
     for (const Vector3& corner : ring) centre += corner / static_cast<double>(ring.size());
-    for (std::size_t k = 0; k < ring.size(); ++k) normal += (ring[k] - centre).cross(ring[(k + 1) % ring.size()] - centre);
+    for (std::size_t k = 0; k < ring.size(); ++k)
+        normal += (ring[k] - centre).cross(ring[(k + 1) % ring.size()] - centre);
     if (!(normal.norm() > 0)) return false;
     normal.normalize();
     const Vector3 across = normal.unitOrthogonal(), up = normal.cross(across);
@@ -62,12 +67,16 @@ std::vector<double> inside_zone_mm(const TriMesh& mesh, const Zone& zone, const 
     for (Index t = 0; t < mesh.triangles.rows(); ++t)
         for (int k = 0; k < 3; ++k) {
             const std::uint32_t a = mesh.triangles(t, k), b = mesh.triangles(t, (k + 1) % 3);
-            if (member[a] && !member[b]) rim.push_back(0.5 * (mesh.vertices.row(a) + mesh.vertices.row(b)).transpose());
+            if (member[a] && !member[b])
+                rim.push_back(0.5 * (mesh.vertices.row(a) + mesh.vertices.row(b)).transpose());
         }
     if (rim.empty()) return {};
-    const TriangleTree tree(Eigen::Map<const Points>(rim.front().data(), static_cast<Index>(rim.size()), 3), Triangles(0, 3), context);
+    const TriangleTree tree(
+        Eigen::Map<const Points>(rim.front().data(), static_cast<Index>(rim.size()), 3),
+        Triangles(0, 3), context);
     for (std::size_t i = 0; i < inside_mm.size(); ++i) {
-        const double distance = tree.closest(mesh.vertices.row(static_cast<Index>(i)).transpose()).distance();
+        const double distance =
+            tree.closest(mesh.vertices.row(static_cast<Index>(i)).transpose()).distance();
         inside_mm[i] = member[i] ? distance : -distance;
     }
     return inside_mm;
@@ -75,12 +84,16 @@ std::vector<double> inside_zone_mm(const TriMesh& mesh, const Zone& zone, const 
 
 }  // namespace
 
-std::vector<double> inside_brow_mm(const DeformationModel& model, const std::string& side, double half_mm) {
+std::vector<double> inside_brow_mm(const DeformationModel& model, const std::string& side,
+                                   double half_mm) {
     const std::vector<Vector3> line = landmark_places(model, "brow_" + side + "_", 5, 1);
     if (line.empty()) return {};
     std::vector<double> inside_mm(static_cast<std::size_t>(model.num_vertices()));
     for (std::size_t i = 0; i < inside_mm.size(); ++i)
-        inside_mm[i] = half_mm - distance_to_line(model.template_mesh.vertices.row(static_cast<Index>(i)).transpose(), line, false);
+        inside_mm[i] =
+            half_mm -
+            distance_to_line(model.template_mesh.vertices.row(static_cast<Index>(i)).transpose(),
+                             line, false);
     return inside_mm;
 }
 
@@ -89,7 +102,8 @@ std::vector<double> inside_lips_mm(const DeformationModel& model, const Context&
         if (zone.name == "lips") return inside_zone_mm(model.template_mesh, zone, context);
     const std::vector<Vector3> ring = landmark_places(model, "mouth_outer_", 12, 2);
     if (ring.empty()) return {};
-    constexpr double kDepth_mm = 20;  // the throat and the nape lie within the ring too, seen from the front
+    constexpr double kDepth_mm =
+        20;  // the throat and the nape lie within the ring too, seen from the front
     std::vector<double> inside_mm(static_cast<std::size_t>(model.num_vertices()));
     for (std::size_t i = 0; i < inside_mm.size(); ++i) {
         const Vector3 at = model.template_mesh.vertices.row(static_cast<Index>(i)).transpose();

@@ -9,12 +9,13 @@
 
 namespace mien {
 
-/// #V: how far each vertex lies inside of the band of `half_mm` about the line through brow_SIDE_0 .. 4, mm, negative
-/// outside; empty when the model does not name them. `side`: right or left.
-std::vector<double> inside_brow_mm(const DeformationModel& model, const std::string& side, double half_mm);
+/// #V: how far each vertex lies inside of the band of `half_mm` about the line through brow_SIDE_0
+/// .. 4, mm, negative outside; empty when the model does not name them. `side`: right or left.
+std::vector<double> inside_brow_mm(const DeformationModel& model, const std::string& side,
+                                   double half_mm);
 
-/// The same for the lips: inside of the zone "lips" (the vermilion), else of the ring mouth_outer_00 .. 11, seen along the
-/// ring's normal; empty when the model has neither.
+/// The same for the lips: inside of the zone "lips" (the vermilion), else of the ring
+/// mouth_outer_00 .. 11, seen along the ring's normal; empty when the model has neither.
 std::vector<double> inside_lips_mm(const DeformationModel& model, const Context& context);
 
 }  // namespace mien

@@ -1,9 +1,9 @@
 #include "registration/free_start.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <Eigen/Geometry>
 
 #include "geometry/normals.hpp"
 
@@ -12,11 +12,12 @@ namespace {
 
 constexpr double kDegree = 3.14159265358979323846 / 180;
 
-// How much of the jaw's turn a landmark of the 68-point scheme takes part in: 1 at the chin and the lower lip;
-// negative where the cheek pulls and nothing is known.
+// How much of the jaw's turn a landmark of the 68-point scheme takes part in: 1 at the chin and the
+// lower lip; negative where the cheek pulls and nothing is known.
 double share_of_jaw(const std::string& name) {
     const auto number = [&](const std::string& prefix) {
-        return name.compare(0, prefix.size(), prefix) == 0 ? std::atoi(name.c_str() + prefix.size()) : -1;
+        return name.compare(0, prefix.size(), prefix) == 0 ? std::atoi(name.c_str() + prefix.size())
+                                                           : -1;
     };
     if (int k = number("jaw_"); k >= 0) {
         const int from_ear = std::min(k, 16 - k);
@@ -29,11 +30,12 @@ double share_of_jaw(const std::string& name) {
     return 0;
 }
 
-// 0 to 1: the mean over the open skin within 100 mm of the nose's tip of exp(-d^2 / 2 s^2) cos^4 of the normals,
-// s = 2 mm. Unlike a residual it counts what has found no scan. Where the scan has colours, a tenth of their mean
-// agreement is added.
-double agreement(const DeformationModel& model, const ScanSurface& scan, const CorrespondenceOptions& match,
-                 const FitState& state, const Context& context) {
+// 0 to 1: the mean over the open skin within 100 mm of the nose's tip of exp(-d^2 / 2 s^2) cos^4 of
+// the normals, s = 2 mm. Unlike a residual it counts what has found no scan. Where the scan has
+// colours, a tenth of their mean agreement is added.
+double agreement(const DeformationModel& model, const ScanSurface& scan,
+                 const CorrespondenceOptions& match, const FitState& state,
+                 const Context& context) {
     constexpr double kScale_mm = 2, kRadius_mm = 100;
     const Points& rest = model.template_mesh.vertices;
     std::vector<SurfaceHit> hits;
@@ -49,13 +51,17 @@ double agreement(const DeformationModel& model, const ScanSurface& scan, const C
         ++counted;
         if (!hits[v].valid() || scan.at_border(hits[v])) continue;
         const double cosine = normals.row(i).dot(scan.normal_at(hits[v]).transpose());
-        if (cosine > 0) sum += std::pow(cosine, 4) * std::exp(-0.5 * hits[v].squared_distance / (kScale_mm * kScale_mm));
+        if (cosine > 0)
+            sum += std::pow(cosine, 4) *
+                   std::exp(-0.5 * hits[v].squared_distance / (kScale_mm * kScale_mm));
     }
     if (counted == 0) return 0;
     double colors = 0;
     if (state.colors) {
-        const std::vector<ColorAgreement> features = state.colors->agreements(state.places, normals, match, context);
-        for (const ColorAgreement& feature : features) colors += feature.correlation / static_cast<double>(features.size());
+        const std::vector<ColorAgreement> features =
+            state.colors->agreements(state.places, normals, match, context);
+        for (const ColorAgreement& feature : features)
+            colors += feature.correlation / static_cast<double>(features.size());
     }
     return sum / static_cast<double>(counted) + 0.1 * colors;
 }
@@ -81,12 +87,12 @@ FitState rough_state(const FitState& state, Index scalar_modes, Index pca_modes)
     return rough;
 }
 
-// The opening that agrees with the scan clearly better than what the approach found, all under the same prior: a jaw
-// moves by centimetres, so it is given twice the amplitude. An opening of zero starts again without the approach's
-// own idea of the mouth.
+// The opening that agrees with the scan clearly better than what the approach found, all under the
+// same prior: a jaw moves by centimetres, so it is given twice the amplitude. An opening of zero
+// starts again without the approach's own idea of the mouth.
 void try_openings(const DeformationModel& model, const ScanSurface& scan, const Vector& scan_weight,
-                  const RegistrationOptions& options, const FitState& start, FitState& rough, const Context& context,
-                  const Context& quiet) {
+                  const RegistrationOptions& options, const FitState& start, FitState& rough,
+                  const Context& context, const Context& quiet) {
     constexpr double kOpenings[] = {0, 10 * kDegree, 20 * kDegree, 30 * kDegree};
     constexpr double kAmplitude = 2, kClearly = 0.01;
     RegistrationOptions closer = rough_options(options);
@@ -108,7 +114,8 @@ void try_openings(const DeformationModel& model, const ScanSurface& scan, const 
         fit_surface(model, scan, scan_weight, {}, closer, trial, quiet);
         context.progress(Stage::alignment, 0.94 + 0.05 * opening / kOpenings[3]);
         const double agrees = agreement(model, scan, options.correspondence, trial, context);
-        context.log(LogLevel::debug, "jaw opened by %.0f degrees: agreement %.4f", opening / kDegree, agrees);
+        context.log(LogLevel::debug, "jaw opened by %.0f degrees: agreement %.4f",
+                    opening / kDegree, agrees);
         if (agrees <= best) continue;
         best = agrees;
         rough = trial;
@@ -118,7 +125,8 @@ void try_openings(const DeformationModel& model, const ScanSurface& scan, const 
 
 }  // namespace
 
-std::vector<Pin> open_jaw(const DeformationModel& model, const FitState& state, double opening_rad) {
+std::vector<Pin> open_jaw(const DeformationModel& model, const FitState& state,
+                          double opening_rad) {
     Points shape = model.template_mesh.vertices;
     if (state.displacement.rows() == shape.rows())
         shape += state.displacement;
@@ -130,10 +138,13 @@ std::vector<Pin> open_jaw(const DeformationModel& model, const FitState& state, 
         return false;
     };
     Vector3 right, left, angle, lip;
-    if (!place("jaw_00", right) || !place("jaw_16", left) || !place("jaw_03", angle) || !place("mouth_outer_09", lip)) return {};
+    if (!place("jaw_00", right) || !place("jaw_16", left) || !place("jaw_03", angle) ||
+        !place("mouth_outer_09", lip))
+        return {};
     const double width = (left - right).norm();
     if (!(width > 0)) return {};
-    // The condyles slide forward while they turn: as a whole it is a turn about a line behind the jaw's angles.
+    // The condyles slide forward while they turn: as a whole it is a turn about a line behind the
+    // jaw's angles.
     right[1] = left[1] = angle[1];
     right[2] -= 0.12 * width;
     left[2] -= 0.12 * width;
@@ -145,7 +156,8 @@ std::vector<Pin> open_jaw(const DeformationModel& model, const FitState& state, 
         if (share < 0) continue;
         const Eigen::AngleAxisd turn(share * down * opening_rad, axis);
         const Vector3 from = shape.row(landmark.vertex).transpose();
-        pins.push_back({static_cast<Index>(landmark.vertex), state.motion.apply(Vector3(right + turn * (from - right))), 1.5});
+        pins.push_back({static_cast<Index>(landmark.vertex),
+                        state.motion.apply(Vector3(right + turn * (from - right))), 1.5});
     }
     return pins;
 }
@@ -158,7 +170,9 @@ void start_freely(const DeformationModel& model, const ScanSurface& scan, const 
     first.data_weight = options.approach_weight;
     first.tangential = options.approach_tangential;
     const Index p = std::min<Index>(state.coefficients.pca.size(), options.approach_pca_modes);
-    const Index r = p > 0 ? 0 : std::min<Index>(state.coefficients.kernel.rows(), options.approach_scalar_modes);
+    const Index r =
+        p > 0 ? 0
+              : std::min<Index>(state.coefficients.kernel.rows(), options.approach_scalar_modes);
     FitState rough = rough_state(state, r, p);
     Context quiet = context;  // fits report a stage that is still to come
     quiet.progress_function = nullptr;

@@ -1,9 +1,9 @@
 #include "registration/inner.hpp"
 
-#include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <functional>
 #include <limits>
 #include <queue>
@@ -22,15 +22,17 @@ constexpr double kReach_mm = 15, kSpread_mm = 6, kBlend_mm = 2, kRidge_mm2 = 4;
 constexpr double kNearPath_mm = 20, kFarPath_mm = 40, kWhisper = 1e-3;
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-/// True when fewer than kOpenRays of kRays directions about the normal (as many as their cosine weighs)
-/// lead out.
+/// True when fewer than kOpenRays of kRays directions about the normal (as many as their cosine
+/// weighs) lead out.
 bool is_enclosed(const TriangleTree& tree, const Vector3& place, const Vector3& normal) {
     const Vector3 side = normal.unitOrthogonal(), up = normal.cross(side);
     int open = 0;
     for (int k = 0; k < kRays; ++k) {
-        const double squared = (k + 0.5) / kRays, turn = 2.399963229728653 * k;  // a sunflower's spiral
+        const double squared = (k + 0.5) / kRays,
+                     turn = 2.399963229728653 * k;  // a sunflower's spiral
         const double radius = std::sqrt(squared);
-        const Vector3 direction = radius * (std::cos(turn) * side + std::sin(turn) * up) + std::sqrt(1 - squared) * normal;
+        const Vector3 direction = radius * (std::cos(turn) * side + std::sin(turn) * up) +
+                                  std::sqrt(1 - squared) * normal;
         open += !tree.first_hit(place + 0.05 * normal, direction, kSight_mm).valid();
     }
     return open < kOpenRays;
@@ -40,14 +42,16 @@ bool is_enclosed(const TriangleTree& tree, const Vector3& place, const Vector3& 
 
 std::vector<std::uint8_t> find_inner_vertices(const TriMesh& mesh, const Context& context) {
     const Points& places = mesh.vertices;
-    const Points normals = vertex_normals(places, mesh.triangles), faces = triangle_normals(places, mesh.triangles);
+    const Points normals = vertex_normals(places, mesh.triangles),
+                 faces = triangle_normals(places, mesh.triangles);
     const TriangleTree tree(places, mesh.triangles, context);
     std::vector<std::uint8_t> inner(static_cast<std::size_t>(places.rows()), 0);
     parallel_for(context, inner.size(), 256, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const Index v = static_cast<Index>(i);
             const Vector3 place = places.row(v).transpose(), normal = normals.row(v).transpose();
-            // A ball that rests on open skin touches nothing else; between two walls it meets the other one.
+            // A ball that rests on open skin touches nothing else; between two walls it meets the
+            // other one.
             for (const double radius : kProbes_mm) {
                 const SurfaceHit hit = tree.closest(place + radius * normal, 0.7 * radius);
                 if (!hit.valid()) continue;
@@ -71,11 +75,11 @@ struct Reached {
     }
 };
 
-// Dijkstra's algorithm along the edges from all `sources`: calls visit(Reached) once per vertex within `most_mm`, nearest
-// first. `path_mm`: #V, infinite before and again after.
+// Dijkstra's algorithm along the edges from all `sources`: calls visit(Reached) once per vertex
+// within `most_mm`, nearest first. `path_mm`: #V, infinite before and again after.
 template <typename Visit>
-void walk(const Points& places, const VertexRings& rings, const std::vector<Index>& sources, double most_mm,
-          std::vector<double>& path_mm, const Visit& visit) {
+void walk(const Points& places, const VertexRings& rings, const std::vector<Index>& sources,
+          double most_mm, std::vector<double>& path_mm, const Visit& visit) {
     std::priority_queue<Reached, std::vector<Reached>, std::greater<>> front;
     std::vector<Index> touched;
     for (const Index source : sources) {
@@ -116,17 +120,21 @@ void carry_inner(const TriMesh& template_mesh, const VertexRings& rings, const P
     for (std::size_t i = 0; i < n; ++i) (inner[i] ? hidden : open).push_back(static_cast<Index>(i));
     if (open.empty() || hidden.empty()) return;
 
-    // The skin that each inner vertex hangs on: the open vertex nearest to it along the surface, if there is one.
+    // The skin that each inner vertex hangs on: the open vertex nearest to it along the surface, if
+    // there is one.
     std::vector<double> path_mm(n, kFar);
     std::vector<Index> root(n, -1);
-    walk(template_mesh.vertices, rings, open, kFar, path_mm, [&](const Reached& at) { root[static_cast<std::size_t>(at.vertex)] = at.source; });
+    walk(template_mesh.vertices, rings, open, kFar, path_mm,
+         [&](const Reached& at) { root[static_cast<std::size_t>(at.vertex)] = at.source; });
     std::vector<std::vector<Carrier>> around(n);  // of the roots
     for (const Index v : hidden) {
         const Index from = root[static_cast<std::size_t>(v)];
         if (from < 0 || !around[static_cast<std::size_t>(from)].empty()) continue;
         std::vector<Carrier>& carriers = around[static_cast<std::size_t>(from)];
         walk(template_mesh.vertices, rings, {from}, kFarPath_mm, path_mm, [&](const Reached& at) {
-            if (!inner[static_cast<std::size_t>(at.vertex)]) carriers.push_back({at.vertex, fade((kFarPath_mm - at.path_mm) / (kFarPath_mm - kNearPath_mm))});
+            if (!inner[static_cast<std::size_t>(at.vertex)])
+                carriers.push_back(
+                    {at.vertex, fade((kFarPath_mm - at.path_mm) / (kFarPath_mm - kNearPath_mm))});
         });
         context.check_cancelled();
     }
@@ -147,7 +155,8 @@ void carry_inner(const TriMesh& template_mesh, const VertexRings& rings, const P
                     const Vector3 moves = moved.row(carrier.vertex).transpose();
                     const double squared = off.squaredNorm();
                     if (squared >= kReach_mm * kReach_mm) continue;
-                    const double weight = carrier.weight * std::exp(-0.5 * squared / (kSpread_mm * kSpread_mm));
+                    const double weight =
+                        carrier.weight * std::exp(-0.5 * squared / (kSpread_mm * kSpread_mm));
                     sum += weight * moves;
                     place += weight * off;
                     spread += weight * off * off.transpose();
@@ -164,7 +173,8 @@ void carry_inner(const TriMesh& template_mesh, const VertexRings& rings, const P
             place /= weights;
             spread = spread / weights - place * place.transpose();
             drift = drift / weights - sum * place.transpose();
-            const Vector3 carried = sum - drift * (spread + kRidge_mm2 * Matrix3::Identity()).inverse() * place;
+            const Vector3 carried =
+                sum - drift * (spread + kRidge_mm2 * Matrix3::Identity()).inverse() * place;
             places.row(v) += blend * (carried.transpose() - moved.row(v));
         }
     });

@@ -18,15 +18,15 @@ struct Pin {
 
 /// What the loop changes, and what it goes by.
 struct FitState {
-    Similarity motion;              ///< model frame -> scan frame
+    Similarity motion;  ///< model frame -> scan frame
     FitCoefficients coefficients;
-    Points displacement;            ///< #V x 3, model frame
-    Points places;                  ///< #V x 3, scan frame
-    std::vector<std::uint8_t> inner;  ///< #V or empty: vertices without a say (inner.hpp)
+    Points displacement;                    ///< #V x 3, model frame
+    Points places;                          ///< #V x 3, scan frame
+    std::vector<std::uint8_t> inner;        ///< #V or empty: vertices without a say (inner.hpp)
     const ColorFeatures* colors = nullptr;  ///< of the scan, or null
     Correspondences matches;
     std::vector<Correspondences> color_matches;
-    Vector final_weight;            ///< #V, of the last round
+    Vector final_weight;  ///< #V, of the last round
     std::vector<double> energy;
     int iterations = 0;
     double kernel_amplitude = 1;

@@ -1,10 +1,10 @@
 #include "registration/refine.hpp"
 
-#include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
 
 #include "base/parallel.hpp"
 #include "geometry/normals.hpp"
@@ -58,13 +58,14 @@ VertexRings build_rings(Index num_vertices, const Triangles& triangles) {
         ++rings.begin[a + 1];
         rings.neighbours.push_back(b);
     }
-    for (std::size_t i = 0; i < static_cast<std::size_t>(num_vertices); ++i) rings.begin[i + 1] += rings.begin[i];
+    for (std::size_t i = 0; i < static_cast<std::size_t>(num_vertices); ++i)
+        rings.begin[i + 1] += rings.begin[i];
     return rings;
 }
 
-Vector close_gap(const ScanSurface& scan, const Vector& scan_weight, const Triangles& triangles, const VertexRings& rings,
-                 const Vector& trust, const CorrespondenceOptions& match, const GapOptions& options, Points& places,
-                 const Context& context) {
+Vector close_gap(const ScanSurface& scan, const Vector& scan_weight, const Triangles& triangles,
+                 const VertexRings& rings, const Vector& trust, const CorrespondenceOptions& match,
+                 const GapOptions& options, Points& places, const Context& context) {
     const Index n = places.rows();
     CorrespondenceOptions filter = match;
     filter.robust_scale_mm = options.robust_scale_mm;
@@ -79,12 +80,15 @@ Vector close_gap(const ScanSurface& scan, const Vector& scan_weight, const Trian
             weight[i] = found.weight[i] * trust[i];
             // The gap to the plane through the hit, seen along the template's normal.
             const Vector3 to_hit = found.hits[static_cast<std::size_t>(i)].valid()
-                                       ? Vector3(found.hits[static_cast<std::size_t>(i)].point - places.row(i).transpose())
+                                       ? Vector3(found.hits[static_cast<std::size_t>(i)].point -
+                                                 places.row(i).transpose())
                                        : Vector3(Vector3::Zero());
             gap[i] = to_hit.dot(normals.row(i).transpose());
         }
-        // Conjugate gradients on (W + alpha L'L + epsilon) delta = W gap; well conditioned, tens of steps.
-        Vector delta = Vector::Zero(n), residual = weight.cwiseProduct(gap), direction = residual, image, scratch;
+        // Conjugate gradients on (W + alpha L'L + epsilon) delta = W gap; well conditioned, tens of
+        // steps.
+        Vector delta = Vector::Zero(n), residual = weight.cwiseProduct(gap), direction = residual,
+               image, scratch;
         double rr = residual.squaredNorm();
         const double limit = 1e-8 * std::max(rr, 1e-30);
         for (int k = 0; k < 80 && rr > limit; ++k) {
@@ -99,13 +103,15 @@ Vector close_gap(const ScanSurface& scan, const Vector& scan_weight, const Trian
             rr = next;
         }
         for (Index i = 0; i < n; ++i)
-            places.row(i) += std::clamp(delta[i], -options.max_step_mm, options.max_step_mm) * normals.row(i);
+            places.row(i) +=
+                std::clamp(delta[i], -options.max_step_mm, options.max_step_mm) * normals.row(i);
     }
     context.progress(Stage::refining, 1);
     return weight;
 }
 
-Index undo_turns(const Points& before, const Triangles& triangles, const VertexRings& rings, Points& places) {
+Index undo_turns(const Points& before, const Triangles& triangles, const VertexRings& rings,
+                 Points& places) {
     constexpr double kLimit = 0.5, kFade = 0.1;  // cosines
     const Points normals_before = triangle_normals(before, triangles);
     Index undone = 0;
@@ -115,7 +121,9 @@ Index undo_turns(const Points& before, const Triangles& triangles, const VertexR
         Index turned = 0;
         for (Index t = 0; t < triangles.rows(); ++t) {
             const double scale = normals.row(t).norm() * normals_before.row(t).norm();
-            const double excess = kLimit + kFade - (scale > 0 ? normals.row(t).dot(normals_before.row(t)) / scale : 1);
+            const double excess =
+                kLimit + kFade -
+                (scale > 0 ? normals.row(t).dot(normals_before.row(t)) / scale : 1);
             if (!(excess > 0)) continue;
             turned += excess >= kFade;
             const double share = fade(excess / (2 * kFade));
@@ -153,13 +161,15 @@ void gather(const VertexRings& rings, const std::array<std::uint32_t, 3>& corner
 }
 
 // The rotation that brings rest places nearest to places, of the given vertices.
-Matrix3 local_rotation(const PointsRef& rest, const PointsRef& places, const std::vector<std::uint32_t>& vertices) {
+Matrix3 local_rotation(const PointsRef& rest, const PointsRef& places,
+                       const std::vector<std::uint32_t>& vertices) {
     Eigen::RowVector3d from = Eigen::RowVector3d::Zero(), to = Eigen::RowVector3d::Zero();
     for (const std::uint32_t v : vertices) from += rest.row(v), to += places.row(v);
     from /= static_cast<double>(vertices.size());
     to /= static_cast<double>(vertices.size());
     Matrix3 covariance = Matrix3::Zero();
-    for (const std::uint32_t v : vertices) covariance += (places.row(v) - to).transpose() * (rest.row(v) - from);
+    for (const std::uint32_t v : vertices)
+        covariance += (places.row(v) - to).transpose() * (rest.row(v) - from);
     const Eigen::JacobiSVD<Matrix3> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
     Matrix3 u = svd.matrixU();
     if ((u * svd.matrixV().transpose()).determinant() < 0) u.col(2) = -u.col(2);
@@ -168,17 +178,21 @@ Matrix3 local_rotation(const PointsRef& rest, const PointsRef& places, const std
 
 }  // namespace
 
-std::vector<TurnedTriangle> find_turned(const PointsRef& rest, const Triangles& triangles, const VertexRings& rings,
-                                        const PointsRef& places, double max_turn_rad) {
+std::vector<TurnedTriangle> find_turned(const PointsRef& rest, const Triangles& triangles,
+                                        const VertexRings& rings, const PointsRef& places,
+                                        double max_turn_rad) {
     constexpr int kReach = 3;
-    const Points now = triangle_normals(places, triangles), before = triangle_normals(rest, triangles);
+    const Points now = triangle_normals(places, triangles),
+                 before = triangle_normals(rest, triangles);
     const double least = std::cos(max_turn_rad);
     std::vector<TurnedTriangle> turned;
     std::vector<std::uint32_t> around;
     for (Index t = 0; t < triangles.rows(); ++t) {
-        if (!(before.row(t).norm() > 0)) continue;  // the template's own needle has no side to lie on
+        if (!(before.row(t).norm() > 0))
+            continue;  // the template's own needle has no side to lie on
         const double scale = now.row(t).norm() * before.row(t).norm();
-        // Most triangles are plainly right; the neighbourhood's own turn is asked for the others only.
+        // Most triangles are plainly right; the neighbourhood's own turn is asked for the others
+        // only.
         if (now.row(t).dot(before.row(t)) > std::max(least, 0.64) * scale) continue;
         gather(rings, {triangles(t, 0), triangles(t, 1), triangles(t, 2)}, kReach, around);
         const Matrix3 rotation = local_rotation(rest, places, around);
@@ -200,7 +214,8 @@ Index straighten_turned(const PointsRef& rest, const Triangles& triangles, const
         std::vector<std::uint8_t> touched(static_cast<std::size_t>(places.rows()), 0);
         for (const TurnedTriangle& one : turned) {
             const Index t = static_cast<Index>(one.triangle);
-            gather(rings, {triangles(t, 0), triangles(t, 1), triangles(t, 2)}, round < 4 ? 0 : 1, around);
+            gather(rings, {triangles(t, 0), triangles(t, 1), triangles(t, 2)}, round < 4 ? 0 : 1,
+                   around);
             for (const std::uint32_t v : around) touched[v] = 1, rotation_of[v] = one.rotation;
         }
         for (int step = 0; step < 6; ++step) {
@@ -211,7 +226,8 @@ Index straighten_turned(const PointsRef& rest, const Triangles& triangles, const
                 Vector3 mean = Vector3::Zero();
                 for (std::uint32_t k = rings.begin[i]; k < rings.begin[i + 1]; ++k) {
                     const Index j = static_cast<Index>(rings.neighbours[k]);
-                    mean += places.row(j).transpose() + rotation_of[i] * (rest.row(v) - rest.row(j)).transpose();
+                    mean += places.row(j).transpose() +
+                            rotation_of[i] * (rest.row(v) - rest.row(j)).transpose();
                 }
                 mean /= static_cast<double>(rings.begin[i + 1] - rings.begin[i]);
                 moved.row(v) = 0.3 * places.row(v) + 0.7 * mean.transpose();
@@ -225,28 +241,32 @@ Index straighten_turned(const PointsRef& rest, const Triangles& triangles, const
     return static_cast<Index>(fewest);
 }
 
-Index count_self_intersections(const PointsRef& places, const Triangles& triangles, const Context& context) {
+Index count_self_intersections(const PointsRef& places, const Triangles& triangles,
+                               const Context& context) {
     const TriangleTree tree(places, triangles, context);
     const Index count = triangles.rows();
-    return parallel_sum<Index>(context, static_cast<std::size_t>(count), 512, 0, [&](std::size_t begin, std::size_t end) {
-        Index found = 0;
-        for (std::size_t s = begin; s < end; ++s)
-            for (int k = 0; k < 3; ++k) {
-                const std::uint32_t a = triangles(static_cast<Index>(s), k), b = triangles(static_cast<Index>(s), (k + 1) % 3);
-                if (a > b) continue;  // each inner edge once
-                const Vector3 from = places.row(a).transpose(), along = places.row(b).transpose() - from;
-                // Shortened, so that the edge's own triangles and their neighbours are not met.
-                const RayHit hit = tree.first_hit(from + 0.01 * along, along, 0.98);
-                if (!hit.valid()) continue;
-                bool shares = false;
-                for (int c = 0; c < 3; ++c) {
-                    const std::uint32_t v = triangles(static_cast<Index>(hit.triangle), c);
-                    shares = shares || v == a || v == b;
+    return parallel_sum<Index>(
+        context, static_cast<std::size_t>(count), 512, 0, [&](std::size_t begin, std::size_t end) {
+            Index found = 0;
+            for (std::size_t s = begin; s < end; ++s)
+                for (int k = 0; k < 3; ++k) {
+                    const std::uint32_t a = triangles(static_cast<Index>(s), k),
+                                        b = triangles(static_cast<Index>(s), (k + 1) % 3);
+                    if (a > b) continue;  // each inner edge once
+                    const Vector3 from = places.row(a).transpose(),
+                                  along = places.row(b).transpose() - from;
+                    // Shortened, so that the edge's own triangles and their neighbours are not met.
+                    const RayHit hit = tree.first_hit(from + 0.01 * along, along, 0.98);
+                    if (!hit.valid()) continue;
+                    bool shares = false;
+                    for (int c = 0; c < 3; ++c) {
+                        const std::uint32_t v = triangles(static_cast<Index>(hit.triangle), c);
+                        shares = shares || v == a || v == b;
+                    }
+                    if (!shares) ++found;
                 }
-                if (!shares) ++found;
-            }
-        return found;
-    });
+            return found;
+        });
 }
 
 }  // namespace mien

@@ -15,9 +15,12 @@ void add_motion(JsonText& json, const char* key, const Similarity& motion) {
 
 const char* quality_name(FitQuality quality) {
     switch (quality) {
-        case FitQuality::good: return "good";
-        case FitQuality::doubtful: return "doubtful";
-        case FitQuality::failed: return "failed";
+        case FitQuality::good:
+            return "good";
+        case FitQuality::doubtful:
+            return "doubtful";
+        case FitQuality::failed:
+            return "failed";
     }
     return "failed";
 }
@@ -52,9 +55,11 @@ std::string registration_json(const RegistrationResult& result) {
     json.field("energy_mm2", result.energy);
     add_motion(json, "start", result.start);
     add_motion(json, "motion", result.motion);
-    json.field("mean_absolute_residual_mm", result.residual_mm.size() > 0 ? result.residual_mm.cwiseAbs().mean() : 0);
+    json.field("mean_absolute_residual_mm",
+               result.residual_mm.size() > 0 ? result.residual_mm.cwiseAbs().mean() : 0);
     json.field("mean_weight", result.weight.size() > 0 ? result.weight.mean() : 0);
-    json.field("mean_deviation_mm", result.confidence_mm.size() > 0 ? result.confidence_mm.mean() : 0);
+    json.field("mean_deviation_mm",
+               result.confidence_mm.size() > 0 ? result.confidence_mm.mean() : 0);
     json.end_object();
     return json.take();
 }

@@ -1,9 +1,9 @@
 // Search of the pose without landmarks. The tip of the nose is what stands out along the viewing
-// direction: for each rotation of a grid, the scan's local summits along that direction are tried as
-// the tip; a coarse score picks candidates, trimmed ICP sharpens them, a finer score decides.
-#include <Eigen/Geometry>
+// direction: for each rotation of a grid, the scan's local summits along that direction are tried
+// as the tip; a coarse score picks candidates, trimmed ICP sharpens them, a finer score decides.
 #include <algorithm>
 #include <cmath>
+#include <Eigen/Geometry>
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
@@ -34,13 +34,16 @@ Probe make_probe(const DeformationModel& model, Index count, double radius_mm) {
     probe.tip = shape.row(tip).transpose();
     std::vector<Index> inside;
     for (Index i = 0; i < shape.rows(); ++i)
-        if ((shape.row(i).transpose() - probe.tip).norm() < radius_mm && normals(i, 2) > 0.2) inside.push_back(i);
+        if ((shape.row(i).transpose() - probe.tip).norm() < radius_mm && normals(i, 2) > 0.2)
+            inside.push_back(i);
     // Vertices crowd at lids and lips; keep at most one per cell of a coarse grid.
     std::vector<Index> taken;
-    double cell = std::sqrt(3.0 * radius_mm * radius_mm / static_cast<double>(std::max<Index>(1, count)));
+    double cell =
+        std::sqrt(3.0 * radius_mm * radius_mm / static_cast<double>(std::max<Index>(1, count)));
     std::vector<std::pair<long long, Index>> keyed;
     for (Index i : inside) {
-        const long long a = std::llround((shape(i, 0) - probe.tip[0]) / cell), b = std::llround((shape(i, 1) - probe.tip[1]) / cell);
+        const long long a = std::llround((shape(i, 0) - probe.tip[0]) / cell),
+                        b = std::llround((shape(i, 1) - probe.tip[1]) / cell);
         keyed.push_back({(a + 1000) * 4000 + b + 1000, i});
     }
     std::sort(keyed.begin(), keyed.end());
@@ -61,7 +64,8 @@ double score(const Probe& probe, const ScanSurface& scan, const Similarity& moti
     for (Index i = 0; i < probe.places.rows(); ++i) {
         const SurfaceHit hit = scan.tree.closest(motion.apply(Vector3(probe.places.row(i))), 3 * s);
         if (!hit.valid()) continue;
-        const double agreement = scan.normal_at(hit).dot(motion.rotation * probe.normals.row(i).transpose());
+        const double agreement =
+            scan.normal_at(hit).dot(motion.rotation * probe.normals.row(i).transpose());
         if (agreement <= 0) continue;
         sum += std::exp(-0.5 * hit.squared_distance / (s * s)) * agreement;
     }
@@ -69,10 +73,11 @@ double score(const Probe& probe, const ScanSurface& scan, const Similarity& moti
 }
 
 // Point-to-point with robust weights; the far part of the probe has no say.
-Similarity sharpen(const Probe& probe, const ScanSurface& scan, Similarity motion, int rounds, double s0, double s1,
-                   bool with_scale) {
+Similarity sharpen(const Probe& probe, const ScanSurface& scan, Similarity motion, int rounds,
+                   double s0, double s1, bool with_scale) {
     for (int round = 0; round < rounds; ++round) {
-        const double s = s0 * std::pow(s1 / s0, rounds > 1 ? static_cast<double>(round) / (rounds - 1) : 1);
+        const double s =
+            s0 * std::pow(s1 / s0, rounds > 1 ? static_cast<double>(round) / (rounds - 1) : 1);
         Points target(probe.places.rows(), 3);
         Vector weight = Vector::Zero(probe.places.rows());
         for (Index i = 0; i < probe.places.rows(); ++i) {
@@ -105,19 +110,22 @@ std::vector<Matrix3> rotation_grid(double max_rad, double step_rad) {
             for (int c = -n; c <= n; ++c) {
                 const Vector3 w = step_rad * Vector3(a, b, c);
                 if (w.norm() > max_rad + 1e-9) continue;
-                grid.push_back(w.norm() > 0 ? Eigen::AngleAxisd(w.norm(), w.normalized()).toRotationMatrix()
-                                            : Matrix3(Matrix3::Identity()));
+                grid.push_back(w.norm() > 0
+                                   ? Eigen::AngleAxisd(w.norm(), w.normalized()).toRotationMatrix()
+                                   : Matrix3(Matrix3::Identity()));
             }
     return grid;
 }
 
 }  // namespace
 
-SearchResult search_pose(const DeformationModel& model, const ScanSurface& scan, const Context& context) {
+SearchResult search_pose(const DeformationModel& model, const ScanSurface& scan,
+                         const Context& context) {
     constexpr double kDegree = 3.14159265358979323846 / 180;
     const Probe coarse = make_probe(model, 70, 75), fine = make_probe(model, 400, 85);
     if (coarse.places.rows() < 10)
-        fail(Status::no_solution, "the template shows no face towards +z; give landmarks or a pose");
+        fail(Status::no_solution,
+             "the template shows no face towards +z; give landmarks or a pose");
 
     // A thinned scan for the summits: every k-th vertex that has a normal.
     const Index stride = std::max<Index>(1, scan.vertices.rows() / 4000);

@@ -1,8 +1,8 @@
 #include "registration/solver.hpp"
 
+#include <cmath>
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
-#include <cmath>
 
 #include "base/dense.hpp"
 #include "base/error.hpp"
@@ -34,10 +34,15 @@ class FitSystem {
   public:
     FitSystem(FitSolver& solver, const FitTerms& terms, const PointsRef& current,
               const FitStepOptions& options, Layout layout, const Context& context)
-        : solver_(solver), terms_(terms), current_(current), options_(options), layout_(layout),
+        : solver_(solver),
+          terms_(terms),
+          current_(current),
+          options_(options),
+          layout_(layout),
           context_(context) {
         centre_ = current.colwise().mean().transpose();
-        radius_ = std::sqrt((current.rowwise() - centre_.transpose()).rowwise().squaredNorm().mean());
+        radius_ =
+            std::sqrt((current.rowwise() - centre_.transpose()).rowwise().squaredNorm().mean());
         if (!(radius_ > 0)) radius_ = 1;
         field_.resize(current.rows(), 3);
         set_ridge();
@@ -68,7 +73,8 @@ class FitSystem {
         if (r > 0) {
             MatrixF product;
             dense::expand_and_project(
-                context_, solver_.basis().leftCols(r), Eigen::Map<const MatrixF>(theta.data(), r, 3), field_,
+                context_, solver_.basis().leftCols(r),
+                Eigen::Map<const MatrixF>(theta.data(), r, 3), field_,
                 [this](Index first, Index count) { weigh(first, count); }, product);
             out.head(kernel) = Eigen::Map<const VectorF>(product.data(), kernel);
         } else {
@@ -84,7 +90,8 @@ class FitSystem {
         const Index r = layout_.r, q = layout_.p + layout_.g;
         if (r > 0)
             for (int axis = 0; axis < 3; ++axis)
-                dense::solve_factored(kernel_factor_[factor_of_[axis]], Eigen::Map<MatrixF>(out.data() + axis * r, r, 1));
+                dense::solve_factored(kernel_factor_[factor_of_[axis]],
+                                      Eigen::Map<MatrixF>(out.data() + axis * r, r, 1));
         if (q == 0) return;
         if (coupled()) out.tail(q).noalias() -= coupling_.transpose() * out.head(3 * r);
         dense::solve_factored(vector_factor_, Eigen::Map<MatrixF>(out.data() + 3 * r, q, 1));
@@ -109,7 +116,8 @@ class FitSystem {
         if (p > 0) {
             flat_ = field_.cast<double>();  // x0 y0 z0 x1 ...
             const Eigen::Map<const Vector> flat(flat_.data(), 3 * m);
-            out.segment(3 * r, p) = dense::project(context_, solver_.pca().leftCols(p), flat).cast<float>();
+            out.segment(3 * r, p) =
+                dense::project(context_, solver_.pca().leftCols(p), flat).cast<float>();
         }
         if (layout_.g > 0) {
             Eigen::Matrix<double, 7, 1> sum = Eigen::Matrix<double, 7, 1>::Zero();
@@ -129,7 +137,8 @@ class FitSystem {
         const Index r = layout_.r, p = layout_.p, m = field_.rows();
         if (p > 0) {
             flat_.setZero(m, 3);
-            dense::add_product(context_, solver_.pca().leftCols(p), theta.segment(3 * r, p).cast<double>(),
+            dense::add_product(context_, solver_.pca().leftCols(p),
+                               theta.segment(3 * r, p).cast<double>(),
                                Eigen::Map<Vector>(flat_.data(), 3 * m));
             field_ = flat_.cast<float>();
         } else {
@@ -150,10 +159,11 @@ class FitSystem {
 
     void factor_kernel() {
         const Index r = layout_.r, m = field_.rows();
-        if (solver_.gram_.rows() != r || (coupled() && solver_.coupling_.cols() != layout_.p + layout_.g) ||
+        if (solver_.gram_.rows() != r ||
+            (coupled() && solver_.coupling_.cols() != layout_.p + layout_.g) ||
             solver_.gram_age_ >= kGramLife || !(solver_.gram_weight_ > 0)) {
-            // Every second or third row stands for all, because this is a preconditioner only; rows that weigh
-            // much (landmarks) stand for themselves.
+            // Every second or third row stands for all, because this is a preconditioner only; rows
+            // that weigh much (landmarks) stand for themselves.
             const Index stride = m > 6000 ? 3 : (m > 2000 ? 2 : 1);
             const float heavy = static_cast<float>(3 * total_weight() / static_cast<double>(m));
             std::vector<Index> rows;
@@ -168,12 +178,14 @@ class FitSystem {
             const auto basis = solver_.basis();
             const VectorF root = Eigen::Map<const VectorF>(weights.data(), sampled).cwiseSqrt();
             MatrixF sample(sampled, r);
-            parallel_for(context_, static_cast<std::size_t>(r), 16, [&](std::size_t b, std::size_t e) {
-                for (Index j = static_cast<Index>(b); j < static_cast<Index>(e); ++j) {
-                    const float* column = basis.data() + j * basis.outerStride();
-                    for (Index k = 0; k < sampled; ++k) sample(k, j) = root[k] * column[rows[static_cast<std::size_t>(k)]];
-                }
-            });
+            parallel_for(
+                context_, static_cast<std::size_t>(r), 16, [&](std::size_t b, std::size_t e) {
+                    for (Index j = static_cast<Index>(b); j < static_cast<Index>(e); ++j) {
+                        const float* column = basis.data() + j * basis.outerStride();
+                        for (Index k = 0; k < sampled; ++k)
+                            sample(k, j) = root[k] * column[rows[static_cast<std::size_t>(k)]];
+                    }
+                });
             solver_.gram_.resize(r, r);
             dense::weighted_gram(context_, sample, VectorF(), solver_.gram_);
             solver_.gram_weight_ = root.cast<double>().squaredNorm();
@@ -191,16 +203,17 @@ class FitSystem {
             MatrixF system = static_cast<float>(scale) * solver_.gram_;
             system.diagonal() += kernel_ridge_.segment(axis * r, r);
             if (!dense::factor_spd(system))
-                fail(Status::no_solution, "the normal equations of the fit are not positive definite");
+                fail(Status::no_solution,
+                     "the normal equations of the fit are not positive definite");
             kernel_factor_[axis] = std::move(system);
         }
         if (coupled()) factor_coupled(scale);
     }
 
-    // The kernel's smooth modes are nearly motions, and nearly the trained modes too. Seen apart, a motion and
-    // the modes that undo it look stiff, and together only the prior resists them: conjugate gradients wander
-    // along such pairs for tens of iterations, and in single precision never twice along the same way. So all
-    // are preconditioned together,
+    // The kernel's smooth modes are nearly motions, and nearly the trained modes too. Seen apart, a
+    // motion and the modes that undo it look stiff, and together only the prior resists them:
+    // conjugate gradients wander along such pairs for tens of iterations, and in single precision
+    // never twice along the same way. So all are preconditioned together,
     //
     //   [K C; C' M]^-1,  K = Phi' W Phi + ridge,  C = Phi' W V,  M = V' W V + ridge,
     //
@@ -213,13 +226,15 @@ class FitSystem {
         if (layout_.g > 0) {
             const Vector3 y = (current_.row(i).transpose() - centre_) / radius_;
             Eigen::Matrix<double, 3, 7> motion;
-            motion << 0, y[2], -y[1], 1, 0, 0, y[0], -y[2], 0, y[0], 0, 1, 0, y[1], y[1], -y[0], 0, 0, 0, 1, y[2];
+            motion << 0, y[2], -y[1], 1, 0, 0, y[0], -y[2], 0, y[0], 0, 1, 0, y[1], y[1], -y[0], 0,
+                0, 0, 1, y[2];
             block.rightCols(layout_.g) = motion.leftCols(layout_.g).cast<float>();
         }
     }
 
     // `sample`: the kernel's modes at `rows`, times the roots of the weights.
-    void couple_vectors(const std::vector<Index>& rows, const VectorF& root, const MatrixF& sample) {
+    void couple_vectors(const std::vector<Index>& rows, const VectorF& root,
+                        const MatrixF& sample) {
         const Index q = layout_.p + layout_.g, m = sample.rows(), r = sample.cols();
         MatrixF vectors(3 * m, q);  // axis by axis, times the roots
         parallel_for(context_, static_cast<std::size_t>(m), 512, [&](std::size_t b, std::size_t e) {
@@ -227,15 +242,17 @@ class FitSystem {
             for (std::size_t k = b; k < e; ++k) {
                 vectors_at(rows[k], block);
                 const Index i = static_cast<Index>(k);
-                for (int axis = 0; axis < 3; ++axis) vectors.row(axis * m + i) = root[i] * block.row(axis);
+                for (int axis = 0; axis < 3; ++axis)
+                    vectors.row(axis * m + i) = root[i] * block.row(axis);
             }
         });
         solver_.vector_gram_.resize(q, q);
         dense::weighted_gram(context_, vectors, VectorF(), solver_.vector_gram_);
         solver_.coupling_.resize(3 * r, q);
         for (int axis = 0; axis < 3; ++axis)
-            dense::multiply(context_, 1.0f, sample, dense::Op::transpose, vectors.middleRows(axis * m, m), dense::Op::none,
-                            0.0f, solver_.coupling_.middleRows(axis * r, r));
+            dense::multiply(context_, 1.0f, sample, dense::Op::transpose,
+                            vectors.middleRows(axis * m, m), dense::Op::none, 0.0f,
+                            solver_.coupling_.middleRows(axis * r, r));
     }
 
     void factor_coupled(double scale) {
@@ -243,14 +260,17 @@ class FitSystem {
         coupling_ = static_cast<float>(scale) * solver_.coupling_;
         carried_ = coupling_;
         for (int axis = 0; axis < 3; ++axis)
-            dense::solve_factored(kernel_factor_[factor_of_[axis]], carried_.middleRows(axis * r, r));
+            dense::solve_factored(kernel_factor_[factor_of_[axis]],
+                                  carried_.middleRows(axis * r, r));
         MatrixF gram = static_cast<float>(scale) * solver_.vector_gram_;
         // Something where nothing is seen at all.
         gram.diagonal().array() += 1e-6f * std::max(1.0f, gram.diagonal().maxCoeff());
         gram.diagonal().head(p).array() += static_cast<float>(options_.pca_ridge);
         MatrixF difference = gram;
-        dense::multiply(context_, -1.0f, coupling_, dense::Op::transpose, carried_, dense::Op::none, 1.0f, difference);
-        // What single precision takes away from the difference is given back, with M itself as the upper bound.
+        dense::multiply(context_, -1.0f, coupling_, dense::Op::transpose, carried_, dense::Op::none,
+                        1.0f, difference);
+        // What single precision takes away from the difference is given back, with M itself as the
+        // upper bound.
         for (float more = 1e-4f; more < 2; more *= 10) {
             vector_factor_ = difference;
             vector_factor_.diagonal() += more * gram.diagonal();
@@ -267,7 +287,8 @@ class FitSystem {
         if (variance.rows() < r || variance.cols() != 3) return;
         for (int axis = 0; axis < 3; ++axis)
             for (Index j = 0; j < r; ++j)
-                kernel_ridge_[axis * r + j] = static_cast<float>(options_.kernel_ridge / std::max(variance(j, axis), 1e-4));
+                kernel_ridge_[axis * r + j] =
+                    static_cast<float>(options_.kernel_ridge / std::max(variance(j, axis), 1e-4));
     }
 
     void factor_vectors() {
@@ -290,7 +311,8 @@ class FitSystem {
         dense::weighted_gram(context_, stacked, VectorF(), gram);
         gram.diagonal().head(layout_.p).array() += static_cast<float>(options_.pca_ridge);
         // The motion has no prior; a whisper of one keeps a fit without any hit solvable.
-        gram.diagonal().tail(layout_.g).array() += 1e-6f * std::max(1.0f, gram.diagonal().maxCoeff());
+        gram.diagonal().tail(layout_.g).array() +=
+            1e-6f * std::max(1.0f, gram.diagonal().maxCoeff());
         if (!dense::factor_spd(gram))
             fail(Status::no_solution, "the normal equations of the fit are not positive definite");
         vector_factor_ = std::move(gram);
@@ -337,22 +359,27 @@ void FitTerms::add_planar(Index row, double weight, double tau, const Vector3& n
     pull.row(row) += (h * target_displacement).cast<float>().transpose();
 }
 
-FitSolver::FitSolver(const DeformationModel& model) : model_(model), num_rows_(model.num_vertices()) {}
+FitSolver::FitSolver(const DeformationModel& model)
+    : model_(model), num_rows_(model.num_vertices()) {}
 
 FitSolver::ConstMap FitSolver::basis() const {
     if (rows_.empty())
-        return ConstMap(model_.basis.data, num_rows_, model_.basis.cols, Eigen::OuterStride<>(num_rows_));
-    return ConstMap(packed_basis_.data(), num_rows_, packed_basis_.cols(), Eigen::OuterStride<>(num_rows_));
+        return ConstMap(model_.basis.data, num_rows_, model_.basis.cols,
+                        Eigen::OuterStride<>(num_rows_));
+    return ConstMap(packed_basis_.data(), num_rows_, packed_basis_.cols(),
+                    Eigen::OuterStride<>(num_rows_));
 }
 
 FitSolver::ConstMap FitSolver::pca() const {
     if (rows_.empty())
         return ConstMap(model_.pca_modes.data, 3 * num_rows_, model_.pca_modes.cols,
                         Eigen::OuterStride<>(3 * num_rows_));
-    return ConstMap(packed_pca_.data(), 3 * num_rows_, packed_pca_.cols(), Eigen::OuterStride<>(3 * num_rows_));
+    return ConstMap(packed_pca_.data(), 3 * num_rows_, packed_pca_.cols(),
+                    Eigen::OuterStride<>(3 * num_rows_));
 }
 
-void FitSolver::use_rows(std::vector<Index> rows, Index scalar_modes, Index pca_modes, const Context& context) {
+void FitSolver::use_rows(std::vector<Index> rows, Index scalar_modes, Index pca_modes,
+                         const Context& context) {
     rows_ = std::move(rows);
     gram_.resize(0, 0);
     num_rows_ = rows_.empty() ? model_.num_vertices() : static_cast<Index>(rows_.size());
@@ -361,22 +388,25 @@ void FitSolver::use_rows(std::vector<Index> rows, Index scalar_modes, Index pca_
         packed_pca_.resize(0, 0);
         return;
     }
-    context.require_memory(static_cast<std::size_t>(num_rows_ * (scalar_modes + 3 * pca_modes)) * 4, "the fit");
+    context.require_memory(static_cast<std::size_t>(num_rows_ * (scalar_modes + 3 * pca_modes)) * 4,
+                           "the fit");
     packed_basis_.resize(num_rows_, scalar_modes);
     packed_pca_.resize(3 * num_rows_, pca_modes);
     const Index n = model_.num_vertices();
-    parallel_for(context, static_cast<std::size_t>(scalar_modes + pca_modes), 8, [&](std::size_t b, std::size_t e) {
-        for (Index j = static_cast<Index>(b); j < static_cast<Index>(e); ++j)
-            for (Index k = 0; k < num_rows_; ++k) {
-                const Index i = rows_[static_cast<std::size_t>(k)];
-                if (j < scalar_modes)
-                    packed_basis_(k, j) = model_.basis.data[j * n + i];
-                else
-                    for (int axis = 0; axis < 3; ++axis)
-                        packed_pca_(3 * k + axis, j - scalar_modes) =
-                            model_.pca_modes.data[(j - scalar_modes) * 3 * n + 3 * i + axis];
-            }
-    });
+    parallel_for(
+        context, static_cast<std::size_t>(scalar_modes + pca_modes), 8,
+        [&](std::size_t b, std::size_t e) {
+            for (Index j = static_cast<Index>(b); j < static_cast<Index>(e); ++j)
+                for (Index k = 0; k < num_rows_; ++k) {
+                    const Index i = rows_[static_cast<std::size_t>(k)];
+                    if (j < scalar_modes)
+                        packed_basis_(k, j) = model_.basis.data[j * n + i];
+                    else
+                        for (int axis = 0; axis < 3; ++axis)
+                            packed_pca_(3 * k + axis, j - scalar_modes) =
+                                model_.pca_modes.data[(j - scalar_modes) * 3 * n + 3 * i + axis];
+                }
+        });
 }
 
 Similarity FitSolver::step(const FitTerms& terms, const PointsRef& current,
@@ -406,7 +436,8 @@ Similarity FitSolver::step(const FitTerms& terms, const PointsRef& current,
     direction = z;
     double rz = residual.cast<double>().dot(z.cast<double>());
     // Relative to where this step began, but not below what single precision can tell apart.
-    const double limit = std::max({options.tolerance * options.tolerance * rz, 1e-10 * whole, 1e-30});
+    const double limit =
+        std::max({options.tolerance * options.tolerance * rz, 1e-10 * whole, 1e-30});
     iterations_ = 0;
     while (iterations_ < options.max_iterations && rz > limit) {
         system.apply(direction, image);
@@ -433,23 +464,25 @@ Similarity FitSolver::step(const FitTerms& terms, const PointsRef& current,
         motion.scale = layout.g == 7 ? std::exp(g[6] / system.radius()) : 1.0;
         if (w.norm() > 0)
             motion.rotation = Eigen::AngleAxisd(w.norm(), w.normalized()).toRotationMatrix();
-        motion.translation = system.centre() + g.segment<3>(3) -
-                             motion.scale * (motion.rotation * system.centre());
+        motion.translation =
+            system.centre() + g.segment<3>(3) - motion.scale * (motion.rotation * system.centre());
     }
     return motion;
 }
 
 Points FitSolver::displacement(const FitCoefficients& coefficients, const Context& context) const {
-    const Index n = model_.num_vertices(), r = coefficients.kernel.rows(), p = coefficients.pca.size();
+    const Index n = model_.num_vertices(), r = coefficients.kernel.rows(),
+                p = coefficients.pca.size();
     Points u = model_.mean_displacement.rows() == n ? model_.mean_displacement : Points::Zero(n, 3);
     if (r > 0) {
         dense::Field moved = dense::Field::Zero(n, 3);
-        dense::add_thin_product(context, model_.basis.map().leftCols(r), coefficients.kernel, moved);
+        dense::add_thin_product(context, model_.basis.map().leftCols(r), coefficients.kernel,
+                                moved);
         u += moved.cast<double>();
     }
     if (p > 0) {
-        dense::add_product(context, model_.pca_modes.map().leftCols(p), coefficients.pca.cast<double>(),
-                           Eigen::Map<Vector>(u.data(), 3 * n));
+        dense::add_product(context, model_.pca_modes.map().leftCols(p),
+                           coefficients.pca.cast<double>(), Eigen::Map<Vector>(u.data(), 3 * n));
     }
     return u;
 }

@@ -19,8 +19,9 @@ namespace mien {
 /// Quadratic terms of the vertices that a step looks at, in the model frame. A row of zeros says
 /// nothing about its vertex.
 struct FitTerms {
-    Eigen::Matrix<float, Eigen::Dynamic, 6, Eigen::RowMajor> precision;  ///< xx yy zz xy xz yz, 1/mm^2
-    Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> pull;       ///< sum of H (q - x - mean)
+    Eigen::Matrix<float, Eigen::Dynamic, 6, Eigen::RowMajor>
+        precision;                                                  ///< xx yy zz xy xz yz, 1/mm^2
+    Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> pull;  ///< sum of H (q - x - mean)
 
     void reset(Index num_rows);
     void add(Index row, const Matrix3& precision, const Vector3& pull);
@@ -35,14 +36,14 @@ struct FitCoefficients {
 };
 
 struct FitStepOptions {
-    Index scalar_modes = 0;       ///< of the model's r; 0: none
+    Index scalar_modes = 0;  ///< of the model's r; 0: none
     Index pca_modes = 0;
-    double kernel_ridge = 1.0;    ///< rho: 1 / (amplification of the model's own variance)
+    double kernel_ridge = 1.0;  ///< rho: 1 / (amplification of the model's own variance)
     double pca_ridge = 1.0;
-    bool move = true;             ///< solve for the small motion too
-    bool scale = true;            ///< the motion may scale
+    bool move = true;   ///< solve for the small motion too
+    bool scale = true;  ///< the motion may scale
     int max_iterations = 40;
-    double tolerance = 0.1;       ///< by how much a step reduces the preconditioned residual
+    double tolerance = 0.1;  ///< by how much a step reduces the preconditioned residual
 };
 
 /// Keeps work space between steps. One per fit; not shared between threads.
@@ -50,14 +51,19 @@ class FitSolver {
   public:
     explicit FitSolver(const DeformationModel& model);
 
-    /// The vertices that the steps look at from now on: row k of the terms is vertex rows[k]. Early rounds
-    /// use a part of the vertices, because the modes that matter then are smooth. Empty: all vertices.
-    void use_rows(std::vector<Index> rows, Index scalar_modes, Index pca_modes, const Context& context);
+    /// The vertices that the steps look at from now on: row k of the terms is vertex rows[k]. Early
+    /// rounds use a part of the vertices, because the modes that matter then are smooth. Empty: all
+    /// vertices.
+    void use_rows(std::vector<Index> rows, Index scalar_modes, Index pca_modes,
+                  const Context& context);
     Index num_rows() const { return num_rows_; }
-    Index vertex(Index row) const { return rows_.empty() ? row : rows_[static_cast<std::size_t>(row)]; }
+    Index vertex(Index row) const {
+        return rows_.empty() ? row : rows_[static_cast<std::size_t>(row)];
+    }
 
-    /// Improves `coefficients` in place and returns the small motion about the current places `current`
-    /// (one row per row, model frame). Throws Status::no_solution when the system is not positive definite.
+    /// Improves `coefficients` in place and returns the small motion about the current places
+    /// `current` (one row per row, model frame). Throws Status::no_solution when the system is not
+    /// positive definite.
     Similarity step(const FitTerms& terms, const PointsRef& current, const FitStepOptions& options,
                     FitCoefficients& coefficients, const Context& context);
 

@@ -8,13 +8,15 @@ SurfaceTransfer::SurfaceTransfer(const TriMesh& fitted, const TriMesh& scan, con
     : fitted_(fitted), scan_(scan) {
     check_mesh(fitted_, "the fitted template");
     check_mesh(scan_, "the scan");
-    if (fitted_.triangles.rows() == 0) fail(Status::invalid_mesh, "the fitted template has no triangles");
+    if (fitted_.triangles.rows() == 0)
+        fail(Status::invalid_mesh, "the fitted template has no triangles");
     fitted_tree_ = TriangleTree(fitted_.vertices, fitted_.triangles, context);
     scan_tree_ = TriangleTree(scan_.vertices, scan_.triangles, context);
 }
 
-std::vector<SurfaceHit> SurfaceTransfer::points(const PointsRef& places, TransferDirection direction,
-                                                double max_distance_mm, const Context& context) const {
+std::vector<SurfaceHit> SurfaceTransfer::points(const PointsRef& places,
+                                                TransferDirection direction, double max_distance_mm,
+                                                const Context& context) const {
     std::vector<SurfaceHit> hits;
     const TriangleTree& tree = direction == TransferDirection::to_scan ? scan_tree_ : fitted_tree_;
     tree.closest(places, max_distance_mm, hits, context);
@@ -22,7 +24,8 @@ std::vector<SurfaceHit> SurfaceTransfer::points(const PointsRef& places, Transfe
 }
 
 std::vector<std::uint32_t> SurfaceTransfer::zone(const std::vector<std::uint32_t>& vertices,
-                                                 TransferDirection direction, double max_distance_mm,
+                                                 TransferDirection direction,
+                                                 double max_distance_mm,
                                                  const Context& context) const {
     const bool to_scan = direction == TransferDirection::to_scan;
     const TriMesh& from = to_scan ? fitted_ : scan_;
@@ -31,7 +34,8 @@ std::vector<std::uint32_t> SurfaceTransfer::zone(const std::vector<std::uint32_t
     std::vector<double> member(static_cast<std::size_t>(from.vertices.rows()), 0);
     for (const std::uint32_t v : vertices) {
         if (v >= member.size())
-            fail(Status::mismatch, "zone vertex %u, but the mesh has %zu vertices", v, member.size());
+            fail(Status::mismatch, "zone vertex %u, but the mesh has %zu vertices", v,
+                 member.size());
         member[v] = 1;
     }
     std::vector<SurfaceHit> hits;
@@ -42,19 +46,22 @@ std::vector<std::uint32_t> SurfaceTransfer::zone(const std::vector<std::uint32_t
         double share = 0;
         for (int k = 0; k < 3; ++k)
             share += hits[i].barycentric[k] *
-                     member[tree.is_point_cloud() ? hits[i].triangle
-                                                  : from.triangles(static_cast<Index>(hits[i].triangle), k)];
+                     member[tree.is_point_cloud()
+                                ? hits[i].triangle
+                                : from.triangles(static_cast<Index>(hits[i].triangle), k)];
         if (share >= 0.5) inside.push_back(static_cast<std::uint32_t>(i));
     }
     return inside;
 }
 
-std::string transferred_landmarks_json(const SurfaceTransfer& transfer, const std::vector<Landmark>& landmarks,
+std::string transferred_landmarks_json(const SurfaceTransfer& transfer,
+                                       const std::vector<Landmark>& landmarks,
                                        double max_distance_mm, const Context& context) {
     Points places(static_cast<Index>(landmarks.size()), 3);
     for (std::size_t k = 0; k < landmarks.size(); ++k) {
         if (landmarks[k].vertex >= static_cast<std::uint64_t>(transfer.fitted().vertices.rows()))
-            fail(Status::mismatch, "landmark '%.60s' is vertex %u, which the fitted mesh does not have",
+            fail(Status::mismatch,
+                 "landmark '%.60s' is vertex %u, which the fitted mesh does not have",
                  landmarks[k].name.c_str(), landmarks[k].vertex);
         places.row(static_cast<Index>(k)) = transfer.fitted().vertices.row(landmarks[k].vertex);
     }
@@ -78,7 +85,8 @@ std::string transferred_zones_json(const SurfaceTransfer& transfer, const std::v
     JsonText json;
     json.begin_object().key("zones").begin_object();
     for (const Zone& zone : zones)
-        json.field(zone.name, transfer.zone(zone.vertices, TransferDirection::to_scan, max_distance_mm, context));
+        json.field(zone.name, transfer.zone(zone.vertices, TransferDirection::to_scan,
+                                            max_distance_mm, context));
     return json.end_object().end_object().take();
 }
 

@@ -10,9 +10,12 @@ class Judge {
   public:
     explicit Judge(Verdict& verdict) : verdict_(verdict) {}
 
-    // value beyond `failed` fails, beyond `doubtful` is doubted; `below` turns the comparison round.
+    // value beyond `failed` fails, beyond `doubtful` is doubted; `below` turns the comparison
+    // round.
     void limit(double value, double doubtful, double failed, bool below, const char* text) {
-        const auto beyond = [&](double bound) { return below ? !(value >= bound) : !(value <= bound); };
+        const auto beyond = [&](double bound) {
+            return below ? !(value >= bound) : !(value <= bound);
+        };
         if (!beyond(doubtful)) return;
         const FitQuality found = beyond(failed) ? FitQuality::failed : FitQuality::doubtful;
         if (found > verdict_.quality) verdict_.quality = found;
@@ -48,12 +51,15 @@ void judge(Verdict& v, const VerdictLimits& l) {
     if (v.may_slide) {
         if (v.quality == FitQuality::good) v.quality = FitQuality::doubtful;
         bool held = !v.colors.empty();
-        for (const ColorAgreement& feature : v.colors) held = held && feature.correlation >= l.doubtful_color;
-        v.reasons.emplace_back(
-            held ? "neither landmarks nor trained modes tell where along the skin a place is: colours hold mouth and brows, "
-                   "but cheeks and chin may have slid by some millimetres"
-                 : "neither landmarks nor trained modes tell where along the skin mouth, brows and cheeks are: "
-                   "the surface is right, but its vertices may have slid along it by some millimetres");
+        for (const ColorAgreement& feature : v.colors)
+            held = held && feature.correlation >= l.doubtful_color;
+        v.reasons.emplace_back(held ? "neither landmarks nor trained modes tell where along the "
+                                      "skin a place is: colours hold mouth and brows, "
+                                      "but cheeks and chin may have slid by some millimetres"
+                                    : "neither landmarks nor trained modes tell where along the "
+                                      "skin mouth, brows and cheeks are: "
+                                      "the surface is right, but its vertices may have slid along "
+                                      "it by some millimetres");
     }
     if (!v.landmarks_rejected.empty()) {
         std::string names = "landmarks that contradict the others were left out:";

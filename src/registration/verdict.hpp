@@ -1,5 +1,5 @@
-// Is the fit to be trusted? Plain measures of it, limits on them, and the reasons in words: a scan that
-// is no face must not come back as a silent wrong mesh.
+// Is the fit to be trusted? Plain measures of it, limits on them, and the reasons in words: a scan
+// that is no face must not come back as a silent wrong mesh.
 #pragma once
 
 #include <string>
@@ -15,21 +15,23 @@ enum class FitQuality : std::int32_t { good = 0, doubtful = 1, failed = 2 };
 struct Verdict {
     FitQuality quality = FitQuality::good;
     std::vector<std::string> reasons;  ///< why not good; empty when it is
-    double coverage = 0;               ///< share of the template's inner vertices with a scan beside them
-    double inlier_share = 0;           ///< of those beside the scan: within three noise levels
-    double mean_residual_mm = 0;       ///< of the inliers
-    double landmark_rms_mm = 0;        ///< of the landmarks used; 0 without
+    double coverage = 0;      ///< share of the template's inner vertices with a scan beside them
+    double inlier_share = 0;  ///< of those beside the scan: within three noise levels
+    double mean_residual_mm = 0;  ///< of the inliers
+    double landmark_rms_mm = 0;   ///< of the landmarks used; 0 without
     int landmarks_used = 0;
     std::vector<std::string> landmarks_rejected;
-    double size_ratio = 1;             ///< fitted size over template size
-    double mean_deviation = 0;         ///< of the coefficients, in standard deviations of the prior
-    int flipped_triangles = 0;         ///< against the smooth fit
+    double size_ratio = 1;      ///< fitted size over template size
+    double mean_deviation = 0;  ///< of the coefficients, in standard deviations of the prior
+    int flipped_triangles = 0;  ///< against the smooth fit
     int repaired_triangles = 0;
-    int self_intersections = 0;        ///< pairs of crossing triangles (lips, lids)
-    double search_score = 0;           ///< of a start without landmarks, 0 to 1; 0 with
-    double unit_to_mm = 1;             ///< what one unit of the scan was taken for
-    std::vector<ColorAgreement> colors;  ///< of lips and brows; empty when the scan has no colours or the model no names
-    bool may_slide = false;            ///< fewer than three landmarks and no trained mode say where along the skin a place is
+    int self_intersections = 0;  ///< pairs of crossing triangles (lips, lids)
+    double search_score = 0;     ///< of a start without landmarks, 0 to 1; 0 with
+    double unit_to_mm = 1;       ///< what one unit of the scan was taken for
+    std::vector<ColorAgreement>
+        colors;  ///< of lips and brows; empty when the scan has no colours or the model no names
+    bool may_slide = false;  ///< fewer than three landmarks and no trained mode say where along the
+                             ///< skin a place is
 };
 
 /// Limits beyond which a fit is doubtful or failed.

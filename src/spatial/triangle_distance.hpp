@@ -1,6 +1,7 @@
 // Closest point of a triangle to a point, by the Voronoi region the point falls into (Ericson,
-// Real-Time Collision Detection, 5.1.5). Triangles without area, or with an angle below a millionth, fall
-// back to their edges: the textbook version turns them into NaN or, by cancellation, into noise.
+// Real-Time Collision Detection, 5.1.5). Triangles without area, or with an angle below a
+// millionth, fall back to their edges: the textbook version turns them into NaN or, by
+// cancellation, into noise.
 #pragma once
 
 #include "base/types.hpp"
@@ -28,8 +29,8 @@ inline TrianglePlace closest_on_triangle(const Vector3& p, const Vector3& a, con
     };
     const double d1 = ab.dot(ap), d2 = ac.dot(ap);
     const double aa = ab.squaredNorm(), cc = ac.squaredNorm(), mixed = ab.dot(ac);
-    const double d3 = d1 - aa, d4 = d2 - mixed;   // relative to b
-    const double d5 = d1 - mixed, d6 = d2 - cc;   // relative to c
+    const double d3 = d1 - aa, d4 = d2 - mixed;  // relative to b
+    const double d5 = d1 - mixed, d6 = d2 - cc;  // relative to c
     const double twice_area_squared = aa * cc - mixed * mixed;
     if (!(twice_area_squared > 1e-12 * aa * cc)) {
         const double t_ab = segment_parameter(p, a, ab), t_ac = segment_parameter(p, a, ac);

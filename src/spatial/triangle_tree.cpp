@@ -1,8 +1,8 @@
 #include "spatial/triangle_tree.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <Eigen/Geometry>
 
 #include "base/dense.hpp"
 #include "base/error.hpp"
@@ -13,7 +13,7 @@ namespace mien {
 
 namespace {
 
-constexpr std::size_t kTaskItems = 4096;    // below this a task sorts a range to the end by itself
+constexpr std::size_t kTaskItems = 4096;  // below this a task sorts a range to the end by itself
 constexpr std::size_t kBoxChunk = 2048;
 
 struct Item {
@@ -58,8 +58,10 @@ TriangleTree::TriangleTree(const PointsRef& vertices, const TrianglesRef& triang
     if (count == 0) fail(Status::invalid_mesh, "a search tree over an empty mesh");
     if (count >= SurfaceHit::kNone - block_size_)
         fail(Status::invalid_mesh, "a search tree over more than 2^32 triangles");
-    context.require_memory(count * (sizeof(Corners) + 8 + sizeof(Item) + 4 + (point_cloud_ ? 24 : 64)) +
-                               static_cast<std::size_t>(vertices.rows()) * 24, "the search tree");
+    context.require_memory(
+        count * (sizeof(Corners) + 8 + sizeof(Item) + 4 + (point_cloud_ ? 24 : 64)) +
+            static_cast<std::size_t>(vertices.rows()) * 24,
+        "the search tree");
     sort_primitives(vertices, triangles, context);
     build_blocks(context);
     build_boxes(context);
@@ -91,7 +93,9 @@ void TriangleTree::sort_primitives(const PointsRef& vertices, const TrianglesRef
         for (std::size_t i = begin; i < end; ++i) {
             const Corners c = corners_of(i);
             const Vector3 centroid =
-                (places_.row(c.vertex[0]) + places_.row(c.vertex[1]) + places_.row(c.vertex[2])).transpose() / 3.0;
+                (places_.row(c.vertex[0]) + places_.row(c.vertex[1]) + places_.row(c.vertex[2]))
+                    .transpose() /
+                3.0;
             for (int k = 0; k < 3; ++k) items[i].centroid[k] = static_cast<float>(centroid[k]);
             items[i].id = static_cast<std::uint32_t>(i);
         }
@@ -101,9 +105,10 @@ void TriangleTree::sort_primitives(const PointsRef& vertices, const TrianglesRef
     while (2 * half < count) half *= 2;
     Item* const all = items.data();
     for (; half >= kTaskItems; half /= 2) {
-        parallel_for(context, (count + 2 * half - 1) / (2 * half), 1, [&](std::size_t group, std::size_t) {
-            split(all + group * 2 * half, all + std::min(count, (group + 1) * 2 * half), half);
-        });
+        parallel_for(
+            context, (count + 2 * half - 1) / (2 * half), 1, [&](std::size_t group, std::size_t) {
+                split(all + group * 2 * half, all + std::min(count, (group + 1) * 2 * half), half);
+            });
     }
     parallel_for(context, count, 2 * half, [&](std::size_t begin, std::size_t end) {
         for (std::size_t h = half; h >= block_size_; h /= 2)
@@ -134,31 +139,36 @@ void TriangleTree::build_blocks(const Context& context) {
     using tree_search::kWidth;
     const std::size_t count = corners_.size();
     blocks_.resize((count + kWidth - 1) / kWidth);
-    parallel_for(context, blocks_.size(), kTaskItems / kWidth, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t b = begin; b < end; ++b)
-            for (std::size_t lane = 0; lane < kWidth; ++lane) {
-                Block& block = blocks_[b];
-                const auto set = [&](int plane, const Vector3& normal, double offset) {
-                    for (int k = 0; k < 3; ++k) block.normal[plane][k][lane] = static_cast<float>(normal[k]);
-                    block.offset[plane][lane] = static_cast<float>(offset);
-                };
-                const std::size_t slot = b * kWidth + lane;
-                for (int plane = 0; plane < 4; ++plane)  // nothing lies near a missing triangle
-                    set(plane, Vector3::Zero(), slot < count ? 0 : -std::numeric_limits<double>::infinity());
-                if (slot >= count) continue;
-                const Vector3 x[3] = {corner(slot, 0), corner(slot, 1), corner(slot, 2)};
-                const Vector3 cross = (x[1] - x[0]).cross(x[2] - x[0]);
-                const double twice_area = cross.norm(), longest = std::max({(x[1] - x[0]).squaredNorm(),
-                                                                            (x[2] - x[1]).squaredNorm(), (x[0] - x[2]).squaredNorm()});
-                if (!(twice_area > 1e-7 * longest)) continue;  // its directions would be noise
-                const Vector3 normal = cross / twice_area;
-                set(0, normal, normal.dot(x[0]));
-                for (int k = 0; k < 3; ++k) {
-                    const Vector3 out = (x[(k + 1) % 3] - x[k]).cross(normal).normalized();
-                    set(k + 1, out, out.dot(x[k]));
+    parallel_for(
+        context, blocks_.size(), kTaskItems / kWidth, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t b = begin; b < end; ++b)
+                for (std::size_t lane = 0; lane < kWidth; ++lane) {
+                    Block& block = blocks_[b];
+                    const auto set = [&](int plane, const Vector3& normal, double offset) {
+                        for (int k = 0; k < 3; ++k)
+                            block.normal[plane][k][lane] = static_cast<float>(normal[k]);
+                        block.offset[plane][lane] = static_cast<float>(offset);
+                    };
+                    const std::size_t slot = b * kWidth + lane;
+                    for (int plane = 0; plane < 4; ++plane)  // nothing lies near a missing triangle
+                        set(plane, Vector3::Zero(),
+                            slot < count ? 0 : -std::numeric_limits<double>::infinity());
+                    if (slot >= count) continue;
+                    const Vector3 x[3] = {corner(slot, 0), corner(slot, 1), corner(slot, 2)};
+                    const Vector3 cross = (x[1] - x[0]).cross(x[2] - x[0]);
+                    const double twice_area = cross.norm(),
+                                 longest = std::max({(x[1] - x[0]).squaredNorm(),
+                                                     (x[2] - x[1]).squaredNorm(),
+                                                     (x[0] - x[2]).squaredNorm()});
+                    if (!(twice_area > 1e-7 * longest)) continue;  // its directions would be noise
+                    const Vector3 normal = cross / twice_area;
+                    set(0, normal, normal.dot(x[0]));
+                    for (int k = 0; k < 3; ++k) {
+                        const Vector3 out = (x[(k + 1) % 3] - x[k]).cross(normal).normalized();
+                        set(k + 1, out, out.dot(x[k]));
+                    }
                 }
-            }
-    });
+        });
 }
 
 void TriangleTree::build_boxes(const Context& context) {
@@ -186,10 +196,12 @@ void TriangleTree::build_boxes(const Context& context) {
                     float high[3] = {-infinity, -infinity, -infinity};
                     const std::size_t index = n * kWidth + child;
                     if (level == 0) {
-                        for (std::size_t s = index * block_size_; s < std::min<std::size_t>(count, (index + 1) * block_size_); ++s)
+                        for (std::size_t s = index * block_size_;
+                             s < std::min<std::size_t>(count, (index + 1) * block_size_); ++s)
                             for (int c = 0; c < 3; ++c)
                                 for (int k = 0; k < 3; ++k) {
-                                    const float x = static_cast<float>(places_(corners_[s].vertex[c], k));
+                                    const float x =
+                                        static_cast<float>(places_(corners_[s].vertex[c], k));
                                     low[k] = std::min(low[k], x - margin);
                                     high[k] = std::max(high[k], x + margin);
                                 }
@@ -202,7 +214,8 @@ void TriangleTree::build_boxes(const Context& context) {
                                 high[k] = std::max(high[k], below.upper[k][c]);
                             }
                     }
-                    for (int k = 0; k < 3; ++k) {  // a missing child is infinitely far away, for rays too
+                    for (int k = 0; k < 3;
+                         ++k) {  // a missing child is infinitely far away, for rays too
                         node.lower[k][child] = low[k];
                         node.upper[k][child] = low[k] == infinity ? infinity : high[k];
                     }
@@ -219,8 +232,9 @@ tree_search::Tree TriangleTree::view() const {
 
 void TriangleTree::test_slot(std::uint32_t slot, const Vector3& point, SurfaceHit& best) const {
     const Vector3 a = corner(slot, 0);
-    const TrianglePlace place = point_cloud_ ? TrianglePlace{Vector3(1, 0, 0), a, (point - a).squaredNorm()}
-                                             : closest_on_triangle(point, a, corner(slot, 1), corner(slot, 2));
+    const TrianglePlace place =
+        point_cloud_ ? TrianglePlace{Vector3(1, 0, 0), a, (point - a).squaredNorm()}
+                     : closest_on_triangle(point, a, corner(slot, 1), corner(slot, 2));
     if (place.squared_distance < best.squared_distance ||
         (place.squared_distance == best.squared_distance && id_of_[slot] < best.triangle)) {
         best.triangle = id_of_[slot];
@@ -241,13 +255,14 @@ SurfaceHit TriangleTree::closest(const Vector3& point, double max_distance,
     if (nodes_.empty()) return best;
     best.squared_distance = max_distance * max_distance;
     if (hint < slot_of_.size()) test_slot(slot_of_[hint], search.query, best);
-    loops().around(view(), search.query.data(), best.squared_distance,
-                   [](void* given, std::uint32_t slot) {
-                       Search& running = *static_cast<Search*>(given);
-                       running.tree.test_slot(slot, running.query, running.best);
-                       return running.best.squared_distance;
-                   },
-                   &search);
+    loops().around(
+        view(), search.query.data(), best.squared_distance,
+        [](void* given, std::uint32_t slot) {
+            Search& running = *static_cast<Search*>(given);
+            running.tree.test_slot(slot, running.query, running.best);
+            return running.best.squared_distance;
+        },
+        &search);
     if (best.valid())
         best.point += centre_;
     else
@@ -266,7 +281,8 @@ void TriangleTree::closest(const PointsRef& points, double max_distance,
     });
 }
 
-// visit(triangle, t, barycentric) of each crossing at 0 <= t <= max_t, returning the t up to which more are asked for.
+// visit(triangle, t, barycentric) of each crossing at 0 <= t <= max_t, returning the t up to which
+// more are asked for.
 template <typename Visit>
 void TriangleTree::walk_ray(const Vector3& origin, const Vector3& direction, double max_t,
                             const Visit& visit) const {
@@ -277,21 +293,23 @@ void TriangleTree::walk_ray(const Vector3& origin, const Vector3& direction, dou
         double max_t;
         const Visit& visit;
     } search{*this, origin - centre_, direction, max_t, visit};
-    loops().along(view(), search.origin.data(), direction.data(), max_t,
-                  [](void* given, std::uint32_t slot) {
-                      Search& s = *static_cast<Search*>(given);
-                      // origin + t direction = a + v ab + w ac by Cramer's rule (Moeller, Trumbore).
-                      const Vector3 a = s.tree.corner(slot, 0), ab = s.tree.corner(slot, 1) - a, ac = s.tree.corner(slot, 2) - a;
-                      const Vector3 from_a = s.origin - a, p = s.direction.cross(ac), q = from_a.cross(ab);
-                      const double determinant = ab.dot(p);
-                      if (determinant == 0) return s.max_t;
-                      const double v = from_a.dot(p) / determinant, w = s.direction.dot(q) / determinant;
-                      const double t = ac.dot(q) / determinant;
-                      if (t >= 0 && t <= s.max_t && v >= 0 && w >= 0 && v + w <= 1)
-                          s.max_t = s.visit(s.tree.id_of_[slot], t, Vector3(1 - v - w, v, w));
-                      return s.max_t;
-                  },
-                  &search);
+    loops().along(
+        view(), search.origin.data(), direction.data(), max_t,
+        [](void* given, std::uint32_t slot) {
+            Search& s = *static_cast<Search*>(given);
+            // origin + t direction = a + v ab + w ac by Cramer's rule (Moeller, Trumbore).
+            const Vector3 a = s.tree.corner(slot, 0), ab = s.tree.corner(slot, 1) - a,
+                          ac = s.tree.corner(slot, 2) - a;
+            const Vector3 from_a = s.origin - a, p = s.direction.cross(ac), q = from_a.cross(ab);
+            const double determinant = ab.dot(p);
+            if (determinant == 0) return s.max_t;
+            const double v = from_a.dot(p) / determinant, w = s.direction.dot(q) / determinant;
+            const double t = ac.dot(q) / determinant;
+            if (t >= 0 && t <= s.max_t && v >= 0 && w >= 0 && v + w <= 1)
+                s.max_t = s.visit(s.tree.id_of_[slot], t, Vector3(1 - v - w, v, w));
+            return s.max_t;
+        },
+        &search);
 }
 
 RayHit TriangleTree::first_hit(const Vector3& origin, const Vector3& direction,

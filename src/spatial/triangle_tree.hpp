@@ -1,10 +1,10 @@
 // A packed eight-wide tree of boxes over the triangles of a surface, or over the points of a cloud:
 // closest point, first hit of a ray, number of crossings.
 //
-// The triangles are cut at box medians (widest axis of their centroids) into blocks of eight, and the
-// blocks into eights again: a complete tree whose layout follows from the count alone. Boxes and the
-// triangles' planes are floats (spatial/tree_search.hpp) and only choose candidates; the answer comes
-// from the corners, which stay double. Build O(F log F), about 100 bytes a triangle.
+// The triangles are cut at box medians (widest axis of their centroids) into blocks of eight, and
+// the blocks into eights again: a complete tree whose layout follows from the count alone. Boxes
+// and the triangles' planes are floats (spatial/tree_search.hpp) and only choose candidates; the
+// answer comes from the corners, which stay double. Build O(F log F), about 100 bytes a triangle.
 #pragma once
 
 #include <limits>
@@ -40,8 +40,9 @@ struct RayHit {
 class TriangleTree {
   public:
     TriangleTree() = default;
-    /// `triangles` may be empty: then every row of `vertices` is a primitive of its own. Indices and
-    /// coordinates must have passed check_mesh(). Triangles without area are kept as segments or points.
+    /// `triangles` may be empty: then every row of `vertices` is a primitive of its own. Indices
+    /// and coordinates must have passed check_mesh(). Triangles without area are kept as segments
+    /// or points.
     TriangleTree(const PointsRef& vertices, const TrianglesRef& triangles, const Context& context);
 
     Index num_primitives() const { return static_cast<Index>(slot_of_.size()); }
@@ -77,10 +78,13 @@ class TriangleTree {
     void build_blocks(const Context& context);
     void build_boxes(const Context& context);
     tree_search::Tree view() const;
-    Vector3 corner(std::size_t slot, int k) const { return places_.row(corners_[slot].vertex[k]).transpose(); }
+    Vector3 corner(std::size_t slot, int k) const {
+        return places_.row(corners_[slot].vertex[k]).transpose();
+    }
     void test_slot(std::uint32_t slot, const Vector3& point, SurfaceHit& best) const;
     template <typename Visit>
-    void walk_ray(const Vector3& origin, const Vector3& direction, double max_t, const Visit& visit) const;
+    void walk_ray(const Vector3& origin, const Vector3& direction, double max_t,
+                  const Visit& visit) const;
 
     bool point_cloud_ = false;
     std::uint32_t block_size_ = 8;  // primitives in a leaf: 1 for a cloud

@@ -1,16 +1,17 @@
 // Kernel ridge regression with the linear kernel K = X X' / #features, centred; the prediction is
 // mean(Y) + w' (Y - mean(Y)), w = (K + rho I)^-1 k(x), so it lies in the span of what was seen. rho
 // minimises the leave-one-out error, which has a closed form: e_i = (Y - H Y)_i / (1 - H_ii).
-// Standardising or normalising the outputs scales both sides and changes nothing, except in the error
-// that chooses rho, which is taken in millimetres or deformations, as the thesis found best (3.3.9).
+// Standardising or normalising the outputs scales both sides and changes nothing, except in the
+// error that chooses rho, which is taken in millimetres or deformations, as the thesis found best
+// (3.3.9).
 //
-// The differential band is the deformation of the person's own neutral face, not of the mean: wrinkles
-// and pores then come from the person, only their motion from the regression.
+// The differential band is the deformation of the person's own neutral face, not of the mean:
+// wrinkles and pores then come from the person, only their motion from the regression.
 #include "spectral/blendshapes.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <Eigen/Eigenvalues>
 
 #include "base/dense.hpp"
 #include "base/error.hpp"
@@ -31,13 +32,15 @@ void BlendshapeModel::fit(const Samples& inputs, const Samples& outputs, double 
     const Index count = inputs.rows();
     const auto gram_of = [&](const Samples& samples) {
         // Row-major samples are the columns of a column-major matrix.
-        const Eigen::Map<const Eigen::MatrixXf> columns(samples.data(), samples.cols(), samples.rows());
+        const Eigen::Map<const Eigen::MatrixXf> columns(samples.data(), samples.cols(),
+                                                        samples.rows());
         Matrix gram = Matrix::Zero(count, count);
         // Panels in double: sums of ten thousands of floats lose what the ridge looks at.
         for (Index first = 0; first < columns.rows(); first += 4096) {
             const Index size = std::min<Index>(4096, columns.rows() - first);
             const Matrix panel = columns.middleRows(first, size).cast<double>();
-            dense::multiply(context, 1.0, panel, dense::Op::transpose, panel, dense::Op::none, 1.0, gram);
+            dense::multiply(context, 1.0, panel, dense::Op::transpose, panel, dense::Op::none, 1.0,
+                            gram);
         }
         return gram;
     };
@@ -53,7 +56,8 @@ void BlendshapeModel::fit(const Samples& inputs, const Samples& outputs, double 
     output_gram.array() += output_grand;
 
     const Eigen::SelfAdjointEigenSolver<Matrix> solver(kernel);
-    if (solver.info() != Eigen::Success) fail(Status::no_solution, "the kernel of the faces has no spectrum");
+    if (solver.info() != Eigen::Success)
+        fail(Status::no_solution, "the kernel of the faces has no spectrum");
     const Vector values = solver.eigenvalues().cwiseMax(0.0);
     const Matrix& u = solver.eigenvectors();
     const double scale = std::max(values.sum() / static_cast<double>(count), 1e-300);
@@ -79,10 +83,12 @@ void BlendshapeModel::fit(const Samples& inputs, const Samples& outputs, double 
         }
     }
     band.ridge = ridge;
-    band.inverse = u * (values.array() + ridge * scale).inverse().matrix().asDiagonal() * u.transpose();
+    band.inverse =
+        u * (values.array() + ridge * scale).inverse().matrix().asDiagonal() * u.transpose();
 }
 
-Vector BlendshapeModel::weights(const Samples& inputs, const Eigen::VectorXf& input, const Band& band) {
+Vector BlendshapeModel::weights(const Samples& inputs, const Eigen::VectorXf& input,
+                                const Band& band) {
     Vector kernel(inputs.rows());
     for (Index i = 0; i < inputs.rows(); ++i)
         kernel[i] = inputs.row(i).cast<double>().dot(input.transpose().cast<double>()) /
@@ -114,8 +120,9 @@ std::shared_ptr<const BlendshapeModel> BlendshapeModel::train(const TrianglesRef
         FaceFeatures::train(triangles, neutrals, FeatureKind::euclidean_standardised, context);
     model->mean_ = features->mean();
     const Index n = model->num_vertices();
-    context.require_memory(static_cast<std::size_t>(pairs.count) * static_cast<std::size_t>(n) * 24 * 4,
-                           "the training faces");
+    context.require_memory(
+        static_cast<std::size_t>(pairs.count) * static_cast<std::size_t>(n) * 24 * 4,
+        "the training faces");
     model->deformation_ = std::make_shared<DeformationRepresentation>(model->mean_, context);
     model->spatial_input_.resize(pairs.count, 3 * n);
     model->spatial_output_.resize(pairs.count, 3 * n);
@@ -127,17 +134,19 @@ std::shared_ptr<const BlendshapeModel> BlendshapeModel::train(const TrianglesRef
     });
     model->deformation_statistics_ = feature_statistics(pairs.count, [&](Index k) {
         pairs.pair(k, neutral, expression);
-        const Points aligned = align_points(neutral, model->mean_.vertices, {}, false).apply(neutral);
+        const Points aligned =
+            align_points(neutral, model->mean_.vertices, {}, false).apply(neutral);
         Features f = model->deformation_->encode(aligned, context);
         model->differential_input_.row(k) = flat(f).transpose();
         return f;
     });
     for (Index k = 0; k < pairs.count; ++k) {
-        context.progress(Stage::training, static_cast<double>(k) / static_cast<double>(pairs.count));
+        context.progress(Stage::training,
+                         static_cast<double>(k) / static_cast<double>(pairs.count));
         pairs.pair(k, neutral, expression);
         if (neutral.rows() != n || expression.rows() != n)
-            fail(Status::mismatch, "pair %lld does not have %lld vertices", static_cast<long long>(k),
-                 static_cast<long long>(n));
+            fail(Status::mismatch, "pair %lld does not have %lld vertices",
+                 static_cast<long long>(k), static_cast<long long>(n));
         const Similarity motion = align_points(neutral, model->mean_.vertices, {}, false);
         TriMesh own;
         own.vertices = motion.apply(neutral);
@@ -147,8 +156,9 @@ std::shared_ptr<const BlendshapeModel> BlendshapeModel::train(const TrianglesRef
         standardise(model->neutral_statistics_, input);
         model->spatial_input_.row(k) = flat(input).transpose();
         model->spatial_output_.row(k) = flat(moved - own.vertices).transpose();
-        Features deformation = Eigen::Map<const Samples>(model->differential_input_.row(k).data(), n, 9)
-                                   .cast<double>();
+        Features deformation =
+            Eigen::Map<const Samples>(model->differential_input_.row(k).data(), n, 9)
+                .cast<double>();
         normalise(model->deformation_statistics_, deformation);
         model->differential_input_.row(k) = flat(deformation).transpose();
         model->differential_output_.row(k) =
@@ -159,7 +169,8 @@ std::shared_ptr<const BlendshapeModel> BlendshapeModel::train(const TrianglesRef
     return model;
 }
 
-void BlendshapeModel::finish(double spatial_ridge, double differential_ridge, const Context& context) {
+void BlendshapeModel::finish(double spatial_ridge, double differential_ridge,
+                             const Context& context) {
     fit(spatial_input_, spatial_output_, spatial_ridge, spatial_, context);
     fit(differential_input_, differential_output_, differential_ridge, differential_, context);
 }
@@ -170,7 +181,8 @@ BlendshapeModel::Prediction BlendshapeModel::predict(const PointsRef& neutral,
     if (neutral.rows() != n)
         fail(Status::mismatch, "a neutral face with %lld vertices for a model with %lld",
              static_cast<long long>(neutral.rows()), static_cast<long long>(n));
-    if (!neutral.allFinite()) fail(Status::invalid_mesh, "a neutral face with a vertex that is not finite");
+    if (!neutral.allFinite())
+        fail(Status::invalid_mesh, "a neutral face with a vertex that is not finite");
     const Similarity motion = align_points(neutral, mean_.vertices, {}, false);
     TriMesh own;
     own.vertices = motion.apply(neutral);
@@ -222,7 +234,9 @@ void BlendshapeModel::save(const std::string& path, const Context& context) cons
          {"spatial_output", DType::f32, {s, 3 * n}, spatial_output_.data()},
          {"differential_input", DType::f32, {s, 9 * n}, differential_input_.data()},
          {"differential_output", DType::f32, {s, 9 * n}, differential_output_.data()},
-         {"triangles", DType::u32, {static_cast<std::uint64_t>(mean_.triangles.rows()), 3},
+         {"triangles",
+          DType::u32,
+          {static_cast<std::uint64_t>(mean_.triangles.rows()), 3},
           mean_.triangles.data()}},
         {{"kind", "mien-blendshape-model"}, {"format", "1.0"}, {"units", "millimetres"}}, context);
 }
@@ -254,14 +268,16 @@ std::shared_ptr<const BlendshapeModel> BlendshapeModel::load(const std::string& 
     if (s < 2) fail(Status::bad_format, "a blendshape model with fewer than two samples");
     const auto samples = [&](const char* name, std::int64_t columns) -> Samples {
         return Eigen::Map<const Samples>(
-            static_cast<const float*>(file.tensor(name, DType::f32, {s, columns}).data), s, columns);
+            static_cast<const float*>(file.tensor(name, DType::f32, {s, columns}).data), s,
+            columns);
     };
     model->spatial_input_ = samples("spatial_input", 3 * n);
     model->spatial_output_ = samples("spatial_output", 3 * n);
     model->differential_input_ = samples("differential_input", 9 * n);
     model->differential_output_ = samples("differential_output", 9 * n);
     const auto* ridges = static_cast<const double*>(file.tensor("ridges", DType::f64, {2}).data);
-    if (!(ridges[0] > 0) || !(ridges[1] > 0)) fail(Status::bad_format, "a ridge that is not positive");
+    if (!(ridges[0] > 0) || !(ridges[1] > 0))
+        fail(Status::bad_format, "a ridge that is not positive");
     model->deformation_ = std::make_shared<DeformationRepresentation>(model->mean_, context);
     model->finish(ridges[0], ridges[1], context);
     return model;
@@ -310,12 +326,16 @@ std::vector<BandChoice> search_band_limit(const BlendshapeModel& model, const Sp
         truth.vertices = expression;
         for (std::size_t c = 0; c < candidates.size(); ++c) {
             context.progress(Stage::fitting,
-                             (static_cast<double>(i) + static_cast<double>(c) / static_cast<double>(candidates.size())) /
+                             (static_cast<double>(i) +
+                              static_cast<double>(c) / static_cast<double>(candidates.size())) /
                                  static_cast<double>(validation.count));
-            const Index k = candidates[c] > basis.num_modes() ? basis.num_vertices() : candidates[c];
-            guess.vertices = assemble(basis, prediction.spatial, prediction.differential, k, context);
+            const Index k =
+                candidates[c] > basis.num_modes() ? basis.num_vertices() : candidates[c];
+            guess.vertices =
+                assemble(basis, prediction.spatial, prediction.differential, k, context);
             choices[c].k = candidates[c];
-            choices[c].l1_mm += l1_distance(truth.vertices, guess.vertices) / static_cast<double>(validation.count);
+            choices[c].l1_mm +=
+                l1_distance(truth.vertices, guess.vertices) / static_cast<double>(validation.count);
             choices[c].dame += dame(truth, guess, context) / static_cast<double>(validation.count);
             choices[c].fmpd += fmpd(truth, guess, context) / static_cast<double>(validation.count);
         }

@@ -12,7 +12,7 @@
 namespace mien {
 
 struct BlendshapeOptions {
-    double ridge = 0;       ///< of the kernel's mean diagonal; 0: by leave-one-out error
+    double ridge = 0;  ///< of the kernel's mean diagonal; 0: by leave-one-out error
     Index max_samples = 4096;
 };
 
@@ -56,15 +56,15 @@ class BlendshapeModel {
     struct Band {
         Vector mean_weight;  ///< of the centred kernel: row means
         double grand_mean = 0, ridge = 0;
-        Matrix inverse;      ///< (centred kernel + ridge)^-1
+        Matrix inverse;  ///< (centred kernel + ridge)^-1
     };
     static void fit(const Samples& inputs, const Samples& outputs, double ridge, Band& band,
                     const Context& context);
     static Vector weights(const Samples& inputs, const Eigen::VectorXf& input, const Band& band);
     void finish(double spatial_ridge, double differential_ridge, const Context& context);
 
-    TriMesh mean_;  ///< of the neutral faces, centred
-    FeatureStatistics neutral_statistics_;  ///< of the neutral faces' coordinates
+    TriMesh mean_;                                      ///< of the neutral faces, centred
+    FeatureStatistics neutral_statistics_;              ///< of the neutral faces' coordinates
     Samples spatial_input_, spatial_output_;            ///< samples x 3 #V
     Samples differential_input_, differential_output_;  ///< samples x 9 #V
     FeatureStatistics deformation_statistics_;

@@ -1,23 +1,24 @@
-// T_i minimises sum_j c_ij |e'_ij - T_i e_ij|^2 + a_i |n'_i - T_i n_i|^2 over the one-ring; the second
-// term, with the unit normals scaled like the ring, decides what a flat ring leaves open. The inverse
-// minimises sum_ij c_ij |x_i - x_j - T_i e_ij|^2, that is
+// T_i minimises sum_j c_ij |e'_ij - T_i e_ij|^2 + a_i |n'_i - T_i n_i|^2 over the one-ring; the
+// second term, with the unit normals scaled like the ring, decides what a flat ring leaves open.
+// The inverse minimises sum_ij c_ij |x_i - x_j - T_i e_ij|^2, that is
 //     L x = b(T),  b_i = sum_j c_ij (T_i + T_j) e_ij / 2.
 // Departures. (1) The thesis' fit and inverse are not inverses of each other: the x that belongs to
-// T(x) is not x, since b(T(x)) is not L x. So the change of T with b(T) = L x that costs the fits least,
-// in the metric of their moments M, is added: T += M^-1 B'(B M^-1 B')^-1 (L x - b(T)), B the matrix of
-// b; one more prefactored solve, and the round trip is exact. (2) Rotation vectors are unwound over the
-// surface, neighbours that agree first, as ACAP does by optimisation, so that rotations near pi neither
-// jump nor lose a turn. (3) Cotangent weights are clamped to 0.5..2 of their mean. In the thin triangles
-// at the corners of the mouth they differ a hundredfold, and the change (1) then turns neighbours
-// against each other by radians, which shows in what lies half-way between two faces.
+// T(x) is not x, since b(T(x)) is not L x. So the change of T with b(T) = L x that costs the fits
+// least, in the metric of their moments M, is added: T += M^-1 B'(B M^-1 B')^-1 (L x - b(T)), B the
+// matrix of b; one more prefactored solve, and the round trip is exact. (2) Rotation vectors are
+// unwound over the surface, neighbours that agree first, as ACAP does by optimisation, so that
+// rotations near pi neither jump nor lose a turn. (3) Cotangent weights are clamped to 0.5..2 of
+// their mean. In the thin triangles at the corners of the mouth they differ a hundredfold, and the
+// change (1) then turns neighbours against each other by radians, which shows in what lies half-way
+// between two faces.
 #include "spectral/deformation_representation.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/Geometry>
-#include <Eigen/SVD>
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SVD>
 #include <tuple>
 
 #include "base/error.hpp"
@@ -41,7 +42,8 @@ using RowMatrix3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 double ring_area(const Points& normals, const std::vector<std::vector<std::uint32_t>>& incident,
                  Index v) {
     double area = 0;
-    for (const std::uint32_t f : incident[static_cast<std::size_t>(v)]) area += normals.row(f).norm();
+    for (const std::uint32_t f : incident[static_cast<std::size_t>(v)])
+        area += normals.row(f).norm();
     return area;
 }
 
@@ -78,15 +80,16 @@ struct DeformationRepresentation::State {
     std::vector<double> weight;         // c_ij by entry of `ring`, symmetric
     std::vector<std::vector<std::uint32_t>> incident;
     Points unit_normals;
-    Vector root_area;                    // square root of the ring's area
+    Vector root_area;  // square root of the ring's area
     std::vector<Matrix3> inverse_moment;
     Vector normal_weight, identity_weight;
     std::vector<int> component;
     std::vector<int> starts;                 // lowest vertex of each component
     std::vector<Eigen::RowVector3d> centre;  // of each component's vertices
     std::vector<int> component_size;
-    Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower> laplace;  // with one vertex of each piece pinned
-    Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower> dual;     // B M^-1 B'
+    Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower>
+        laplace;                                             // with one vertex of each piece pinned
+    Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower> dual;  // B M^-1 B'
     std::vector<char> pinned;
 
     void build_rings();
@@ -103,7 +106,8 @@ void DeformationRepresentation::State::build_rings() {
     const Index n = mesh.vertices.rows();
     LaplacianOptions options;
     options.negative = NegativeCotangents::clamp;
-    const SparseMatrix stiffness = build_laplacian(mesh.vertices, mesh.triangles, options).stiffness;
+    const SparseMatrix stiffness =
+        build_laplacian(mesh.vertices, mesh.triangles, options).stiffness;
     double sum = 0;
     Index count = 0;
     for (Index j = 0; j < n; ++j)
@@ -112,7 +116,8 @@ void DeformationRepresentation::State::build_rings() {
                 sum -= it.value();
                 ++count;
             }
-    const double floor = count > 0 ? std::max(kLeastWeight * sum / static_cast<double>(count), 1e-12) : 1;
+    const double floor =
+        count > 0 ? std::max(kLeastWeight * sum / static_cast<double>(count), 1e-12) : 1;
     ring_begin.assign(static_cast<std::size_t>(n) + 1, 0);
     for (Index j = 0; j < n; ++j) {
         for (SparseMatrix::InnerIterator it(stiffness, j); it; ++it)
@@ -202,7 +207,8 @@ void DeformationRepresentation::State::factorise() {
     for (Index v = 0; v < n; ++v) {
         Vector3 own = Vector3::Zero();
         for (int p = ring_begin[v]; p < ring_begin[v + 1]; ++p) {
-            const Vector3 half = 0.5 * weight[p] * (mesh.vertices.row(v) - mesh.vertices.row(ring[p]));
+            const Vector3 half =
+                0.5 * weight[p] * (mesh.vertices.row(v) - mesh.vertices.row(ring[p]));
             own += half;
             for (int d = 0; d < 3; ++d)
                 entries.emplace_back(static_cast<int>(v), 3 * ring[p] + d, half[d]);
@@ -263,8 +269,8 @@ void DeformationRepresentation::State::add_transposed(const Points& y, Features&
 }
 
 void DeformationRepresentation::State::unwind(Features& t) const {
-    // Turns whose neighbours agree come first, so that one vertex at odds with its neighbours does not
-    // hand a wrong full turn to those behind it.
+    // Turns whose neighbours agree come first, so that one vertex at odds with its neighbours does
+    // not hand a wrong full turn to those behind it.
     struct Step {
         double jump_rad;
         int from, to;
@@ -295,9 +301,11 @@ void DeformationRepresentation::State::unwind(Features& t) const {
             const Vector3 before = turn(step.from), own = turn(step.to);
             const double angle = own.norm();
             if (angle > 1e-9 || before.norm() > kPi) {
-                const Vector3 axis = angle > 1e-9 ? Vector3(own / angle) : Vector3(before.normalized());
+                const Vector3 axis =
+                    angle > 1e-9 ? Vector3(own / angle) : Vector3(before.normalized());
                 const double turns = std::round((before.dot(axis) - angle) / (2 * kPi));
-                if (turns != 0) t.row(step.to).head<3>() = ((angle + 2 * kPi * turns) * axis).transpose();
+                if (turns != 0)
+                    t.row(step.to).head<3>() = ((angle + 2 * kPi * turns) * axis).transpose();
             }
             leave(step.to);
         }
@@ -328,10 +336,15 @@ DeformationRepresentation::DeformationRepresentation(const TriMesh& template_mes
 }
 
 DeformationRepresentation::~DeformationRepresentation() = default;
-Index DeformationRepresentation::num_vertices() const { return state_->mesh.vertices.rows(); }
-const TriMesh& DeformationRepresentation::template_mesh() const { return state_->mesh; }
+Index DeformationRepresentation::num_vertices() const {
+    return state_->mesh.vertices.rows();
+}
+const TriMesh& DeformationRepresentation::template_mesh() const {
+    return state_->mesh;
+}
 
-Features DeformationRepresentation::gradients(const PointsRef& vertices, const Context& context) const {
+Features DeformationRepresentation::gradients(const PointsRef& vertices,
+                                              const Context& context) const {
     const State& s = *state_;
     const Index n = num_vertices();
     if (vertices.rows() != n)
@@ -344,28 +357,32 @@ Features DeformationRepresentation::gradients(const PointsRef& vertices, const C
     const Points face_normals = triangle_normals(vertices, s.mesh.triangles);
     const Points normals = vertex_normals(vertices, s.mesh.triangles);
     Features t(n, kDeformationChannels);
-    parallel_for(context, static_cast<std::size_t>(n), kChunk, [&](std::size_t begin, std::size_t end) {
-        for (auto v = static_cast<Index>(begin); v < static_cast<Index>(end); ++v) {
-            Matrix3 cross = s.identity_weight[v] * Matrix3::Identity();
-            for (int p = s.ring_begin[v]; p < s.ring_begin[v + 1]; ++p) {
-                const Vector3 before = s.mesh.vertices.row(v) - s.mesh.vertices.row(s.ring[p]);
-                const Vector3 after = vertices.row(v) - vertices.row(s.ring[p]);
-                cross += s.weight[p] * after * before.transpose();
+    parallel_for(
+        context, static_cast<std::size_t>(n), kChunk, [&](std::size_t begin, std::size_t end) {
+            for (auto v = static_cast<Index>(begin); v < static_cast<Index>(end); ++v) {
+                Matrix3 cross = s.identity_weight[v] * Matrix3::Identity();
+                for (int p = s.ring_begin[v]; p < s.ring_begin[v + 1]; ++p) {
+                    const Vector3 before = s.mesh.vertices.row(v) - s.mesh.vertices.row(s.ring[p]);
+                    const Vector3 after = vertices.row(v) - vertices.row(s.ring[p]);
+                    cross += s.weight[p] * after * before.transpose();
+                }
+                if (s.normal_weight[v] > 0) {
+                    const double growth =
+                        std::sqrt(ring_area(face_normals, s.incident, v)) / s.root_area[v];
+                    cross += s.normal_weight[v] * growth * normals.row(v).transpose() *
+                             s.unit_normals.row(v);
+                }
+                Eigen::Map<RowMatrix3>(&t.coeffRef(v, 0)) = cross * s.inverse_moment[v];
             }
-            if (s.normal_weight[v] > 0) {
-                const double growth = std::sqrt(ring_area(face_normals, s.incident, v)) / s.root_area[v];
-                cross += s.normal_weight[v] * growth * normals.row(v).transpose() * s.unit_normals.row(v);
-            }
-            Eigen::Map<RowMatrix3>(&t.coeffRef(v, 0)) = cross * s.inverse_moment[v];
-        }
-    });
+        });
     // The smallest change that makes the inverse exact; once more, against the regularisation.
     const Points wanted = s.laplace_times(vertices);
     for (int pass = 0; pass < 3; ++pass) {
         context.check_cancelled();
         const Points missing = wanted - s.right_side(t);
         const Points dual = s.dual.solve(missing);
-        if (!dual.allFinite()) fail(Status::no_solution, "the deformation of the face is not finite");
+        if (!dual.allFinite())
+            fail(Status::no_solution, "the deformation of the face is not finite");
         s.add_transposed(dual, t);
     }
     return t;
@@ -391,7 +408,8 @@ Points DeformationRepresentation::from_gradients(const Eigen::Ref<const Features
     return x;
 }
 
-Features DeformationRepresentation::encode(const PointsRef& vertices, const Context& context) const {
+Features DeformationRepresentation::encode(const PointsRef& vertices,
+                                           const Context& context) const {
     const State& s = *state_;
     Features t = gradients(vertices, context);
     parallel_for(context, static_cast<std::size_t>(t.rows()), kChunk,
@@ -401,8 +419,8 @@ Features DeformationRepresentation::encode(const PointsRef& vertices, const Cont
                          const Matrix3 gradient = Eigen::Map<const RowMatrix3>(&t.coeffRef(v, 0));
                          polar_decomposition(gradient, rotation, stretch);
                          t.row(v).head<3>() = rotation_logarithm(rotation).transpose();
-                         t.row(v).tail<6>() << stretch(0, 0) - 1, stretch(1, 1) - 1, stretch(2, 2) - 1,
-                             stretch(0, 1), stretch(0, 2), stretch(1, 2);
+                         t.row(v).tail<6>() << stretch(0, 0) - 1, stretch(1, 1) - 1,
+                             stretch(2, 2) - 1, stretch(0, 1), stretch(0, 2), stretch(1, 2);
                      }
                  });
     s.unwind(t);
@@ -412,14 +430,16 @@ Features DeformationRepresentation::encode(const PointsRef& vertices, const Cont
 Points DeformationRepresentation::decode(const Eigen::Ref<const Features>& features,
                                          const Context& context) const {
     if (features.cols() != kDeformationChannels)
-        fail(Status::mismatch, "%lld channels instead of 9", static_cast<long long>(features.cols()));
+        fail(Status::mismatch, "%lld channels instead of 9",
+             static_cast<long long>(features.cols()));
     Features t(features.rows(), kDeformationChannels);
     parallel_for(context, static_cast<std::size_t>(t.rows()), kChunk,
                  [&](std::size_t begin, std::size_t end) {
                      for (auto v = static_cast<Index>(begin); v < static_cast<Index>(end); ++v) {
                          const auto f = features.row(v);
                          Matrix3 stretch;
-                         stretch << f[3] + 1, f[6], f[7], f[6], f[4] + 1, f[8], f[7], f[8], f[5] + 1;
+                         stretch << f[3] + 1, f[6], f[7], f[6], f[4] + 1, f[8], f[7], f[8],
+                             f[5] + 1;
                          Eigen::Map<RowMatrix3>(&t.coeffRef(v, 0)) =
                              rotation_exponential(Vector3(f[0], f[1], f[2])) * stretch;
                      }
@@ -429,7 +449,8 @@ Points DeformationRepresentation::decode(const Eigen::Ref<const Features>& featu
 
 Points DeformationRepresentation::decode(const Eigen::Ref<const Features>& features,
                                          const std::vector<std::uint32_t>& anchors,
-                                         const PointsRef& anchor_places, const Context& context) const {
+                                         const PointsRef& anchor_places,
+                                         const Context& context) const {
     const State& s = *state_;
     if (static_cast<Index>(anchors.size()) != anchor_places.rows())
         fail(Status::mismatch, "%zu anchors with %lld places", anchors.size(),
@@ -448,7 +469,8 @@ Points DeformationRepresentation::decode(const Eigen::Ref<const Features>& featu
         ++count[piece];
     }
     for (Index v = 0; v < x.rows(); ++v)
-        if (const int piece = s.component[v]; count[piece] > 0) x.row(v) += shift[piece] / count[piece];
+        if (const int piece = s.component[v]; count[piece] > 0)
+            x.row(v) += shift[piece] / count[piece];
     return x;
 }
 

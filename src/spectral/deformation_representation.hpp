@@ -17,8 +17,8 @@ constexpr int kDeformationChannels = 9;
 /// Immutable after construction; shared freely between threads.
 class DeformationRepresentation {
   public:
-    /// Factorises once. Border vertices, flat and degenerate one-rings, pieces and loose vertices are
-    /// all allowed. Throws Status::invalid_mesh or no_solution.
+    /// Factorises once. Border vertices, flat and degenerate one-rings, pieces and loose vertices
+    /// are all allowed. Throws Status::invalid_mesh or no_solution.
     DeformationRepresentation(const TriMesh& template_mesh, const Context& context);
     ~DeformationRepresentation();
     DeformationRepresentation(const DeformationRepresentation&) = delete;
@@ -31,9 +31,9 @@ class DeformationRepresentation {
     /// beyond pi stay whole), then S - I as xx yy zz xy xz yz. The template itself gives zeros.
     /// Invariant to translation.
     Features encode(const PointsRef& vertices, const Context& context) const;
-    /// The face whose deformations are `features`. Each connected piece keeps the template's centre;
-    /// with anchors (vertex numbers and places, mm) the pieces that hold some move so that these fit
-    /// in the mean. decode(encode(x)) is x up to these translations.
+    /// The face whose deformations are `features`. Each connected piece keeps the template's
+    /// centre; with anchors (vertex numbers and places, mm) the pieces that hold some move so that
+    /// these fit in the mean. decode(encode(x)) is x up to these translations.
     Points decode(const Eigen::Ref<const Features>& features, const Context& context) const;
     Points decode(const Eigen::Ref<const Features>& features,
                   const std::vector<std::uint32_t>& anchors, const PointsRef& anchor_places,
@@ -41,7 +41,8 @@ class DeformationRepresentation {
 
     /// Deformation gradients as #V x 9 row-major 3 x 3 matrices, before the split into R and S.
     Features gradients(const PointsRef& vertices, const Context& context) const;
-    Points from_gradients(const Eigen::Ref<const Features>& gradients, const Context& context) const;
+    Points from_gradients(const Eigen::Ref<const Features>& gradients,
+                          const Context& context) const;
 
   private:
     struct State;

@@ -1,15 +1,16 @@
-// S_t = [e1' e2' n'] [e1 e2 n]^-1 from the source, n the normal over the square root of its length as
-// in Sumner & Popovic (2004), 3. Their fourth vertex only carries the third column, which the target's
-// own edges never meet, so it is eliminated: what remains is the Poisson problem of Botsch et al.
-// (2006), L x = sum of c_ij S_t e_ij, with one right-hand side a coordinate. Weighted by the target's
-// areas, which the original is not: otherwise small triangles would pull as hard as large ones.
+// S_t = [e1' e2' n'] [e1 e2 n]^-1 from the source, n the normal over the square root of its length
+// as in Sumner & Popovic (2004), 3. Their fourth vertex only carries the third column, which the
+// target's own edges never meet, so it is eliminated: what remains is the Poisson problem of Botsch
+// et al. (2006), L x = sum of c_ij S_t e_ij, with one right-hand side a coordinate. Weighted by the
+// target's areas, which the original is not: otherwise small triangles would pull as hard as large
+// ones.
 #include "spectral/deformation_transfer.hpp"
 
+#include <array>
+#include <cmath>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <Eigen/SparseCholesky>
-#include <array>
-#include <cmath>
 #include <numeric>
 #include <vector>
 
@@ -48,7 +49,8 @@ struct DeformationTransfer::State {
 DeformationTransfer::DeformationTransfer(const TriMesh& target_neutral, const Context& context)
     : state_(std::make_unique<State>()) {
     check_mesh(target_neutral, "the target");
-    if (target_neutral.triangles.rows() == 0) fail(Status::invalid_mesh, "the target has no triangles");
+    if (target_neutral.triangles.rows() == 0)
+        fail(Status::invalid_mesh, "the target has no triangles");
     context.check_cancelled();
     State& s = *state_;
     s.target.vertices = target_neutral.vertices;
@@ -67,15 +69,18 @@ DeformationTransfer::DeformationTransfer(const TriMesh& target_neutral, const Co
     Vector diagonal = Vector::Zero(n);
     for (Index t = 0; t < triangles.rows(); ++t) {
         for (int c = 0; c < 3; ++c) {
-            const Index i = triangles(t, c), j = triangles(t, (c + 1) % 3), k = triangles(t, (c + 2) % 3);
+            const Index i = triangles(t, c), j = triangles(t, (c + 1) % 3),
+                        k = triangles(t, (c + 2) % 3);
             const Vector3 u = x.row(j) - x.row(i), v = x.row(k) - x.row(i);
-            const double longest = std::max({u.squaredNorm(), v.squaredNorm(), (u - v).squaredNorm()});
+            const double longest =
+                std::max({u.squaredNorm(), v.squaredNorm(), (u - v).squaredNorm()});
             // A floor under the area scales the whole triangle's energy, so it stays positive.
             const double area = std::max(u.cross(v).norm(), 1e-4 * longest);
             s.cotangent(t, c) = area > 0 ? 0.5 * u.dot(v) / area : 0.0;
         }
         for (int c = 0; c < 3; ++c) {
-            const int i = static_cast<int>(triangles(t, c)), j = static_cast<int>(triangles(t, (c + 1) % 3));
+            const int i = static_cast<int>(triangles(t, c)),
+                      j = static_cast<int>(triangles(t, (c + 1) % 3));
             const double w = s.cotangent(t, (c + 2) % 3);
             if (i == j) continue;
             diagonal[i] += w;
@@ -137,7 +142,8 @@ Points DeformationTransfer::transfer(const PointsRef& source_neutral,
         for (int c = 0; c < 3; ++c) {
             const Index i = triangles(t, c), j = triangles(t, (c + 1) % 3);
             const Vector3 edge = s.target.vertices.row(i) - s.target.vertices.row(j);
-            const Eigen::RowVector3d pull = s.cotangent(t, (c + 2) % 3) * (gradient * edge).transpose();
+            const Eigen::RowVector3d pull =
+                s.cotangent(t, (c + 2) % 3) * (gradient * edge).transpose();
             right.row(i) += pull;
             right.row(j) -= pull;
         }
@@ -148,8 +154,8 @@ Points DeformationTransfer::transfer(const PointsRef& source_neutral,
     if (!x.allFinite()) fail(Status::no_solution, "the transferred face is not finite");
     std::vector<Eigen::RowVector3d> shift(s.piece_size.size(), Eigen::RowVector3d::Zero());
     for (Index v = 0; v < n; ++v)
-        shift[s.piece[v]] += s.target.vertices.row(v) + source_expression.row(v) -
-                             source_neutral.row(v) - x.row(v);
+        shift[s.piece[v]] +=
+            s.target.vertices.row(v) + source_expression.row(v) - source_neutral.row(v) - x.row(v);
     for (Index v = 0; v < n; ++v) x.row(v) += shift[s.piece[v]] / s.piece_size[s.piece[v]];
     return x;
 }

@@ -17,9 +17,10 @@ class DeformationTransfer {
     DeformationTransfer(const DeformationTransfer&) = delete;
     DeformationTransfer& operator=(const DeformationTransfer&) = delete;
 
-    /// The target deformed as source_neutral -> source_expression: minimises sum_t A_t |J_t - S_t|^2
-    /// over the target's triangles. Each piece keeps the target's place plus the mean displacement of
-    /// the source's piece. The same face as target and source gives the source's expression back.
+    /// The target deformed as source_neutral -> source_expression: minimises sum_t A_t |J_t -
+    /// S_t|^2 over the target's triangles. Each piece keeps the target's place plus the mean
+    /// displacement of the source's piece. The same face as target and source gives the source's
+    /// expression back.
     Points transfer(const PointsRef& source_neutral, const PointsRef& source_expression,
                     const Context& context) const;
 

@@ -1,6 +1,6 @@
-// Departures from kosk-2024: (3.9) and (3.10) are not inverses of each other; (3.8) with a = -1, b = 1
-// and its inverse are used. (3.3) names the factors the wrong way round; align_points() solves what
-// (3.2) asks for. The scale (3.7) takes the greatest magnitude, not the greatest signed value.
+// Departures from kosk-2024: (3.9) and (3.10) are not inverses of each other; (3.8) with a = -1, b
+// = 1 and its inverse are used. (3.3) names the factors the wrong way round; align_points() solves
+// what (3.2) asks for. The scale (3.7) takes the greatest magnitude, not the greatest signed value.
 #include "spectral/face_features.hpp"
 
 #include <algorithm>
@@ -28,12 +28,18 @@ Points centred(const Points& points) {
 
 const char* name_of(FeatureKind kind) {
     switch (kind) {
-        case FeatureKind::euclidean: return "euclidean";
-        case FeatureKind::euclidean_standardised: return "euclidean_standardised";
-        case FeatureKind::euclidean_normalised: return "euclidean_normalised";
-        case FeatureKind::deformation: return "deformation";
-        case FeatureKind::deformation_normalised: return "deformation_normalised";
-        case FeatureKind::deformation_standardised: return "deformation_standardised";
+        case FeatureKind::euclidean:
+            return "euclidean";
+        case FeatureKind::euclidean_standardised:
+            return "euclidean_standardised";
+        case FeatureKind::euclidean_normalised:
+            return "euclidean_normalised";
+        case FeatureKind::deformation:
+            return "deformation";
+        case FeatureKind::deformation_normalised:
+            return "deformation_normalised";
+        case FeatureKind::deformation_standardised:
+            return "deformation_standardised";
     }
     fail(Status::invalid_argument, "feature kind %d is unknown", static_cast<int>(kind));
 }
@@ -94,8 +100,9 @@ std::shared_ptr<const FaceFeatures> FaceFeatures::train(const TrianglesRef& tria
     for (int round = 0; round < 3; ++round) {
         Points sum = Points::Zero(n, 3);
         for (Index k = 0; k < source.count; ++k) {
-            context.progress(Stage::alignment,
-                             (round + static_cast<double>(k) / static_cast<double>(source.count)) / 3);
+            context.progress(
+                Stage::alignment,
+                (round + static_cast<double>(k) / static_cast<double>(source.count)) / 3);
             source.face(k, face);
             if (face.rows() != n)
                 fail(Status::mismatch, "face %lld has %lld vertices, the first one %lld",
@@ -121,9 +128,11 @@ std::shared_ptr<const FaceFeatures> FaceFeatures::train(const TrianglesRef& tria
     if (!(largest > 0)) fail(Status::invalid_mesh, "faces without extent");
     features->scale_mm_ = largest;
     if (kind >= FeatureKind::deformation)
-        features->deformation_ = std::make_shared<DeformationRepresentation>(features->mean_, context);
+        features->deformation_ =
+            std::make_shared<DeformationRepresentation>(features->mean_, context);
     features->statistics_ = feature_statistics(source.count, [&](Index k) {
-        context.progress(Stage::training, static_cast<double>(k) / static_cast<double>(source.count));
+        context.progress(Stage::training,
+                         static_cast<double>(k) / static_cast<double>(source.count));
         source.face(k, face);
         return features->raw(face, nullptr, context);
     });
@@ -131,7 +140,8 @@ std::shared_ptr<const FaceFeatures> FaceFeatures::train(const TrianglesRef& tria
     return features;
 }
 
-Features FaceFeatures::raw(const PointsRef& face, Similarity* motion, const Context& context) const {
+Features FaceFeatures::raw(const PointsRef& face, Similarity* motion,
+                           const Context& context) const {
     if (face.rows() != num_vertices())
         fail(Status::mismatch, "a face with %lld vertices for features of %lld",
              static_cast<long long>(face.rows()), static_cast<long long>(num_vertices()));
@@ -144,9 +154,11 @@ Features FaceFeatures::raw(const PointsRef& face, Similarity* motion, const Cont
     return aligned / scale_mm_;
 }
 
-Features FaceFeatures::encode(const PointsRef& face, Similarity* motion, const Context& context) const {
+Features FaceFeatures::encode(const PointsRef& face, Similarity* motion,
+                              const Context& context) const {
     Features f = raw(face, motion, context);
-    if (kind_ == FeatureKind::euclidean_standardised || kind_ == FeatureKind::deformation_standardised)
+    if (kind_ == FeatureKind::euclidean_standardised ||
+        kind_ == FeatureKind::deformation_standardised)
         standardise(statistics_, f);
     if (kind_ == FeatureKind::euclidean_normalised || kind_ == FeatureKind::deformation_normalised)
         normalise(statistics_, f);
@@ -161,7 +173,8 @@ Points FaceFeatures::decode(const Eigen::Ref<const Features>& features, const Si
              static_cast<long long>(num_vertices()), num_channels());
     if (!features.allFinite()) fail(Status::invalid_argument, "features that are not finite");
     Features f = features;
-    if (kind_ == FeatureKind::euclidean_standardised || kind_ == FeatureKind::deformation_standardised)
+    if (kind_ == FeatureKind::euclidean_standardised ||
+        kind_ == FeatureKind::deformation_standardised)
         destandardise(statistics_, f);
     if (kind_ == FeatureKind::euclidean_normalised || kind_ == FeatureKind::deformation_normalised)
         denormalise(statistics_, f);
@@ -179,7 +192,9 @@ void FaceFeatures::save(const std::string& path, const Context& context) const {
                        {"deviation", DType::f64, {n, c}, statistics_.deviation.data()},
                        {"least", DType::f64, {n, c}, statistics_.least.data()},
                        {"greatest", DType::f64, {n, c}, statistics_.greatest.data()},
-                       {"triangles", DType::u32, {static_cast<std::uint64_t>(mean_.triangles.rows()), 3},
+                       {"triangles",
+                        DType::u32,
+                        {static_cast<std::uint64_t>(mean_.triangles.rows()), 3},
                         mean_.triangles.data()}},
                       {{"kind", "mien-face-features"},
                        {"format", "1.0"},
@@ -198,19 +213,23 @@ std::shared_ptr<const FaceFeatures> FaceFeatures::load(const std::string& path,
     const TensorView& mean = file.tensor("mean_shape", DType::f64, {-1, 3});
     const auto n = static_cast<std::int64_t>(mean.shape[0]);
     const std::int64_t c = features->num_channels();
-    features->mean_.vertices = Eigen::Map<const Points>(static_cast<const double*>(mean.data), n, 3);
+    features->mean_.vertices =
+        Eigen::Map<const Points>(static_cast<const double*>(mean.data), n, 3);
     const TensorView& triangles = file.tensor("triangles", DType::u32, {-1, 3});
     features->mean_.triangles =
         Eigen::Map<const Triangles>(static_cast<const std::uint32_t*>(triangles.data),
                                     static_cast<Index>(triangles.shape[0]), 3);
     check_mesh(features->mean_, "the features' mean shape");
-    features->scale_mm_ = *static_cast<const double*>(file.tensor("scale_mm", DType::f64, {1}).data);
-    if (!(features->scale_mm_ > 0)) fail(Status::bad_format, "features with a scale that is not positive");
+    features->scale_mm_ =
+        *static_cast<const double*>(file.tensor("scale_mm", DType::f64, {1}).data);
+    if (!(features->scale_mm_ > 0))
+        fail(Status::bad_format, "features with a scale that is not positive");
     const auto matrix = [&](const char* name) -> Features {
         return Eigen::Map<const Features>(
             static_cast<const double*>(file.tensor(name, DType::f64, {n, c}).data), n, c);
     };
-    features->statistics_ = {matrix("mean"), matrix("deviation"), matrix("least"), matrix("greatest")};
+    features->statistics_ = {matrix("mean"), matrix("deviation"), matrix("least"),
+                             matrix("greatest")};
     if (features->kind_ >= FeatureKind::deformation)
         features->deformation_ =
             std::make_shared<DeformationRepresentation>(features->mean_, context);

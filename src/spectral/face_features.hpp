@@ -1,6 +1,6 @@
 // The representations that learning works on (kosk-2024, 3.2-3.19): faces aligned to the training
-// set's mean, centred and scaled, as coordinates or as deformations, standardised or normalised; each
-// with its exact inverse. What was learned from the training set is one file.
+// set's mean, centred and scaled, as coordinates or as deformations, standardised or normalised;
+// each with its exact inverse. What was learned from the training set is one file.
 #pragma once
 
 #include <functional>
@@ -13,12 +13,12 @@
 namespace mien {
 
 enum class FeatureKind : std::int32_t {
-    euclidean = 1,               ///< (3.14)
-    euclidean_standardised = 2,  ///< (3.15)
-    euclidean_normalised = 3,    ///< (3.16)
-    deformation = 4,             ///< (3.17)
-    deformation_normalised = 5,  ///< (3.18)
-    deformation_standardised = 6 ///< (3.19)
+    euclidean = 1,                ///< (3.14)
+    euclidean_standardised = 2,   ///< (3.15)
+    euclidean_normalised = 3,     ///< (3.16)
+    deformation = 4,              ///< (3.17)
+    deformation_normalised = 5,   ///< (3.18)
+    deformation_standardised = 6  ///< (3.19)
 };
 
 /// Faces of a training set, asked for one by one, several times.
@@ -33,8 +33,8 @@ struct FeatureStatistics {
 };
 FeatureStatistics feature_statistics(Index count, const std::function<Features(Index)>& features);
 
-/// (3.11), (3.12): (f - mean) / deviation and back. A feature that never varied keeps its offset from
-/// the mean (deviation 1), so that the inverse stays exact.
+/// (3.11), (3.12): (f - mean) / deviation and back. A feature that never varied keeps its offset
+/// from the mean (deviation 1), so that the inverse stays exact.
 void standardise(const FeatureStatistics& statistics, Features& features);
 void destandardise(const FeatureStatistics& statistics, Features& features);
 /// (3.8) onto [-1, 1] and back; constant features as above.

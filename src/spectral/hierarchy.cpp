@@ -55,7 +55,8 @@ Rings rings_of(const TrianglesRef& triangles, Index n) {
 class Ball {
   public:
     explicit Ball(std::size_t n) : seen_(n, 0) {}
-    const std::vector<std::uint32_t>& around(const Rings& rings, std::uint32_t start, Index radius) {
+    const std::vector<std::uint32_t>& around(const Rings& rings, std::uint32_t start,
+                                             Index radius) {
         ++stamp_;
         found_.assign(1, start);
         seen_[start] = stamp_;
@@ -78,9 +79,16 @@ class Ball {
 };
 
 void add_csr(std::vector<TensorToWrite>& tensors, const std::string& name, const RowSparse& m) {
-    tensors.push_back({name + ".values", DType::f64, {static_cast<std::uint64_t>(m.nonZeros())}, m.valuePtr()});
-    tensors.push_back({name + ".rows", DType::u32, {static_cast<std::uint64_t>(m.rows()) + 1}, m.outerIndexPtr()});
-    tensors.push_back({name + ".cols", DType::u32, {static_cast<std::uint64_t>(m.nonZeros())}, m.innerIndexPtr()});
+    tensors.push_back(
+        {name + ".values", DType::f64, {static_cast<std::uint64_t>(m.nonZeros())}, m.valuePtr()});
+    tensors.push_back({name + ".rows",
+                       DType::u32,
+                       {static_cast<std::uint64_t>(m.rows()) + 1},
+                       m.outerIndexPtr()});
+    tensors.push_back({name + ".cols",
+                       DType::u32,
+                       {static_cast<std::uint64_t>(m.nonZeros())},
+                       m.innerIndexPtr()});
 }
 
 RowSparse read_csr(const SafetensorsFile& file, const std::string& name, Index rows, Index cols) {
@@ -88,16 +96,19 @@ RowSparse read_csr(const SafetensorsFile& file, const std::string& name, Index r
     const auto count = static_cast<std::int64_t>(values.count);
     const auto* starts = static_cast<const std::uint32_t*>(
         file.tensor(name + ".rows", DType::u32, {static_cast<std::int64_t>(rows) + 1}).data);
-    const auto* columns = static_cast<const std::uint32_t*>(file.tensor(name + ".cols", DType::u32, {count}).data);
+    const auto* columns =
+        static_cast<const std::uint32_t*>(file.tensor(name + ".cols", DType::u32, {count}).data);
     const auto* data = static_cast<const double*>(values.data);
     Triplets entries;
     if (starts[0] != 0 || starts[rows] != values.count)
         fail(Status::bad_format, "the rows of '%s' do not cover its values", name.c_str());
     for (Index r = 0; r < rows; ++r) {
-        if (starts[r + 1] < starts[r]) fail(Status::bad_format, "the rows of '%s' do not ascend", name.c_str());
+        if (starts[r + 1] < starts[r])
+            fail(Status::bad_format, "the rows of '%s' do not ascend", name.c_str());
         for (std::uint32_t p = starts[r]; p < starts[r + 1] && p < values.count; ++p) {
             if (columns[p] >= static_cast<std::uint64_t>(cols))
-                fail(Status::bad_format, "column %u of '%s' is out of range", columns[p], name.c_str());
+                fail(Status::bad_format, "column %u of '%s' is out of range", columns[p],
+                     name.c_str());
             entries.emplace_back(r, static_cast<Index>(columns[p]), data[p]);
         }
     }
@@ -110,7 +121,8 @@ std::shared_ptr<const MeshHierarchy> quadric_hierarchy(const TriMesh& mesh, Inde
                                                        double factor, const Context& context) {
     check_levels(num_levels);
     if (!(factor > 1) || !std::isfinite(factor))
-        fail(Status::invalid_argument, "a reduction factor of %g a level; it must be above 1", factor);
+        fail(Status::invalid_argument, "a reduction factor of %g a level; it must be above 1",
+             factor);
     auto hierarchy = std::make_shared<MeshHierarchy>(with_finest(mesh, "quadric"));
     for (Index l = 1; l <= num_levels; ++l) {
         const TriMesh& fine = hierarchy->levels.back().mesh;
@@ -127,7 +139,8 @@ std::shared_ptr<const MeshHierarchy> quadric_hierarchy(const TriMesh& mesh, Inde
         std::vector<SurfaceHit> hits;
         tree.closest(fine.vertices, std::numeric_limits<double>::infinity(), hits, context);
         std::vector<Index> coarse_of(static_cast<std::size_t>(n), -1);
-        for (std::size_t i = 0; i < coarse.kept.size(); ++i) coarse_of[coarse.kept[i]] = static_cast<Index>(i);
+        for (std::size_t i = 0; i < coarse.kept.size(); ++i)
+            coarse_of[coarse.kept[i]] = static_cast<Index>(i);
         for (Index v = 0; v < n; ++v) {
             if (coarse_of[v] >= 0) {  // a kept vertex comes back exactly
                 up.emplace_back(v, coarse_of[v], 1.0);
@@ -169,7 +182,8 @@ std::shared_ptr<const MeshHierarchy> connectivity_hierarchy(const TriMesh& mesh,
             if (covered[static_cast<std::size_t>(v)]) continue;
             coarse_of[static_cast<std::size_t>(v)] = static_cast<Index>(level.kept.size());
             level.kept.push_back(static_cast<std::uint32_t>(v));
-            for (const std::uint32_t w : ball.around(rings, static_cast<std::uint32_t>(v), stride - 1))
+            for (const std::uint32_t w :
+                 ball.around(rings, static_cast<std::uint32_t>(v), stride - 1))
                 covered[w] = 1;
         }
         if (static_cast<Index>(level.kept.size()) == n && stride > 1) break;
@@ -177,14 +191,16 @@ std::shared_ptr<const MeshHierarchy> connectivity_hierarchy(const TriMesh& mesh,
         Triplets down, up;
         std::vector<double> received(static_cast<std::size_t>(n), 0);
         for (Index i = 0; i < m; ++i) {
-            const auto& members = ball.around(rings, level.kept[static_cast<std::size_t>(i)], radius);
+            const auto& members =
+                ball.around(rings, level.kept[static_cast<std::size_t>(i)], radius);
             for (const std::uint32_t w : members) {
                 down.emplace_back(i, w, 1.0 / static_cast<double>(members.size()));
                 received[w] += 1;
             }
         }
         for (const auto& entry : down)
-            up.emplace_back(entry.col(), entry.row(), 1.0 / received[static_cast<std::size_t>(entry.col())]);
+            up.emplace_back(entry.col(), entry.row(),
+                            1.0 / received[static_cast<std::size_t>(entry.col())]);
         level.down = matrix_of(m, n, down);
         level.up = matrix_of(n, m, up);
         // Two kept vertices are neighbours when their neighbourhoods of `stride` edges meet.
@@ -193,7 +209,8 @@ std::shared_ptr<const MeshHierarchy> connectivity_hierarchy(const TriMesh& mesh,
             for (const std::uint32_t w :
                  ball.around(rings, level.kept[static_cast<std::size_t>(i)], 2 * stride - 1))
                 if (coarse_of[w] >= 0 && coarse_of[w] != i)
-                    coarse_rings[static_cast<std::size_t>(i)].push_back(static_cast<std::uint32_t>(coarse_of[w]));
+                    coarse_rings[static_cast<std::size_t>(i)].push_back(
+                        static_cast<std::uint32_t>(coarse_of[w]));
         level.mesh.vertices.resize(m, 3);
         for (Index i = 0; i < m; ++i)
             level.mesh.vertices.row(i) = fine.vertices.row(level.kept[static_cast<std::size_t>(i)]);
@@ -209,21 +226,25 @@ void save_mesh_hierarchy(const std::string& path, const MeshHierarchy& hierarchy
     for (std::size_t l = 0; l < hierarchy.levels.size(); ++l) {
         const MeshLevel& level = hierarchy.levels[l];
         const std::string number = std::to_string(l);
-        tensors.push_back({"vertices_" + number, DType::f64,
+        tensors.push_back({"vertices_" + number,
+                           DType::f64,
                            {static_cast<std::uint64_t>(level.mesh.vertices.rows()), 3},
                            level.mesh.vertices.data()});
         if (l > 0) {
             add_csr(tensors, "down_" + number, level.down);
             add_csr(tensors, "up_" + number, level.up);
-            tensors.push_back({"kept_" + number, DType::u32, {level.kept.size()}, level.kept.data()});
+            tensors.push_back(
+                {"kept_" + number, DType::u32, {level.kept.size()}, level.kept.data()});
         }
-        tensors.push_back({"triangles_" + number, DType::u32,
+        tensors.push_back({"triangles_" + number,
+                           DType::u32,
                            {static_cast<std::uint64_t>(level.mesh.triangles.rows()), 3},
                            level.mesh.triangles.data()});
     }
-    std::stable_sort(tensors.begin(), tensors.end(), [](const TensorToWrite& a, const TensorToWrite& b) {
-        return dtype_bytes(a.dtype) > dtype_bytes(b.dtype);
-    });
+    std::stable_sort(tensors.begin(), tensors.end(),
+                     [](const TensorToWrite& a, const TensorToWrite& b) {
+                         return dtype_bytes(a.dtype) > dtype_bytes(b.dtype);
+                     });
     write_safetensors(path, tensors,
                       {{"kind", "mien-mesh-hierarchy"},
                        {"format", "1.0"},
@@ -256,7 +277,8 @@ std::shared_ptr<const MeshHierarchy> load_mesh_hierarchy(const std::string& path
             const Index coarse = level.mesh.vertices.rows();
             level.down = read_csr(file, "down_" + number, coarse, fine);
             level.up = read_csr(file, "up_" + number, fine, coarse);
-            const TensorView& kept = file.tensor("kept_" + number, DType::u32, {static_cast<std::int64_t>(coarse)});
+            const TensorView& kept =
+                file.tensor("kept_" + number, DType::u32, {static_cast<std::int64_t>(coarse)});
             const auto* data = static_cast<const std::uint32_t*>(kept.data);
             level.kept.assign(data, data + kept.count);
         }

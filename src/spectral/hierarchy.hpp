@@ -1,5 +1,5 @@
-// Levels of a template from fine to coarse with linear maps between them, for graph networks and for
-// multi-resolution registration (kosk-2024, 3.3.2-3.3.4).
+// Levels of a template from fine to coarse with linear maps between them, for graph networks and
+// for multi-resolution registration (kosk-2024, 3.3.2-3.3.4).
 #pragma once
 
 #include <memory>
@@ -16,9 +16,9 @@ namespace mien {
 using RowSparse = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 struct MeshLevel {
-    TriMesh mesh;     ///< triangles are empty where only the connectivity was sampled
-    RowSparse down;   ///< #V of this level x #V of the finer one; empty for level 0. Rows sum to 1
-    RowSparse up;     ///< #V of the finer level x #V of this one. Rows sum to 1
+    TriMesh mesh;    ///< triangles are empty where only the connectivity was sampled
+    RowSparse down;  ///< #V of this level x #V of the finer one; empty for level 0. Rows sum to 1
+    RowSparse up;    ///< #V of the finer level x #V of this one. Rows sum to 1
     std::vector<std::uint32_t> kept;  ///< number in the finer level of each vertex
 };
 
@@ -28,15 +28,15 @@ struct MeshHierarchy {
 };
 
 /// Quadric edge collapse by `factor` a level (Ranjan et al. 2018): down picks the kept vertices, up
-/// places each fine vertex on the closest coarse triangle by barycentric weights. Stops early when no
-/// collapse is legal. factor > 1.
+/// places each fine vertex on the closest coarse triangle by barycentric weights. Stops early when
+/// no collapse is legal. factor > 1.
 std::shared_ptr<const MeshHierarchy> quadric_hierarchy(const TriMesh& mesh, Index num_levels,
                                                        double factor, const Context& context);
 
 /// From the connectivity alone (Zhou et al. 2020): vertices are kept so that every vertex is within
-/// stride - 1 edges of a kept one and kept ones are at least `stride` edges apart; down averages the
-/// vertices within `radius` edges, up spreads a vertex over the same neighbourhood. stride >= 1,
-/// radius >= stride - 1. The same for every face in correspondence.
+/// stride - 1 edges of a kept one and kept ones are at least `stride` edges apart; down averages
+/// the vertices within `radius` edges, up spreads a vertex over the same neighbourhood. stride >=
+/// 1, radius >= stride - 1. The same for every face in correspondence.
 std::shared_ptr<const MeshHierarchy> connectivity_hierarchy(const TriMesh& mesh, Index num_levels,
                                                             Index stride, Index radius,
                                                             const Context& context);

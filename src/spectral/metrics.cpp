@@ -1,19 +1,19 @@
-// DAME = sum_e |D_e - D'_e| m_e (A_s + A_t) / sum_e (A_s + A_t) over inner edges e between triangles
-// s, t; D is the angle between the normals, positive where the surface is convex; A are the
-// reference's areas, which replace the camera-dependent visibility as the thesis says. The masking
-// m_e = exp(-D_e^2) weakens changes at edges that were sharp before; its constant (1 per rad^2) is
-// ours. Edges at borders and non-manifold edges are ignored.
+// DAME = sum_e |D_e - D'_e| m_e (A_s + A_t) / sum_e (A_s + A_t) over inner edges e between
+// triangles s, t; D is the angle between the normals, positive where the surface is convex; A are
+// the reference's areas, which replace the camera-dependent visibility as the thesis says. The
+// masking m_e = exp(-D_e^2) weakens changes at edges that were sharp before; its constant (1 per
+// rad^2) is ours. Edges at borders and non-manifold edges are ignored.
 //
-// FMPD: G_i = |2 pi - sum of angles|, r_i = |G_i - weighted mean of the neighbours' G| with cotangent
-// weights, clamped to [5e-4, max(0.2, 5 mean)] and compressed to r^0.15 - (5e-4)^0.15; what exceeds
-// the average roughness counts half; the result is 8 |difference of the area means|. Departures:
-// cotangents are clamped at zero so that the mean is one; border vertices, whose defect means nothing,
-// have no roughness but keep their area.
+// FMPD: G_i = |2 pi - sum of angles|, r_i = |G_i - weighted mean of the neighbours' G| with
+// cotangent weights, clamped to [5e-4, max(0.2, 5 mean)] and compressed to r^0.15 - (5e-4)^0.15;
+// what exceeds the average roughness counts half; the result is 8 |difference of the area means|.
+// Departures: cotangents are clamped at zero so that the mean is one; border vertices, whose defect
+// means nothing, have no roughness but keep their area.
 #include "spectral/metrics.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <Eigen/Geometry>
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
@@ -43,7 +43,8 @@ void check_surface(const TriMesh& mesh, const char* what) {
 }
 
 /// Oriented angle between the normals over the side from `from` to `to` of the first triangle.
-double dihedral(const Vector3& from, const Vector3& to, const Vector3& first, const Vector3& second) {
+double dihedral(const Vector3& from, const Vector3& to, const Vector3& first,
+                const Vector3& second) {
     const double scale = first.norm() * second.norm();
     if (!(scale > 0)) return 0;
     const Vector3 axis = (to - from).normalized();
@@ -68,8 +69,7 @@ Roughness roughness_of(const TriMesh& mesh) {
     result.area = Vector::Zero(mesh.vertices.rows());
     const Points normals = triangle_normals(mesh.vertices, mesh.triangles);
     for (Index f = 0; f < mesh.triangles.rows(); ++f)
-        for (int c = 0; c < 3; ++c)
-            result.area[mesh.triangles(f, c)] += normals.row(f).norm() / 6;
+        for (int c = 0; c < 3; ++c) result.area[mesh.triangles(f, c)] += normals.row(f).norm() / 6;
     const double total = result.area.sum();
     if (!(total > 0)) fail(Status::invalid_mesh, "a surface without area has no roughness");
     result.area /= total;
@@ -117,7 +117,8 @@ double dame(const TriMesh& reference, const TriMesh& other, const Context& conte
 
     using Sums = Eigen::Vector2d;
     const Sums sums = parallel_sum(
-        context, table.num_edges(), kEdgeChunk, Sums(Sums::Zero()), [&](std::size_t begin, std::size_t end) {
+        context, table.num_edges(), kEdgeChunk, Sums(Sums::Zero()),
+        [&](std::size_t begin, std::size_t end) {
             Sums part = Sums::Zero();
             for (std::size_t e = begin; e < end; ++e) {
                 if (table.num_sides(e) != 2) continue;
@@ -146,9 +147,10 @@ Vector local_roughness(const TriMesh& mesh) {
     Vector defect = Vector::Zero(n);
     for (Index f = 0; f < mesh.triangles.rows(); ++f)
         for (int c = 0; c < 3; ++c)
-            defect[mesh.triangles(f, c)] += corner_angle(
-                mesh.vertices.row(mesh.triangles(f, c)), mesh.vertices.row(mesh.triangles(f, (c + 1) % 3)),
-                mesh.vertices.row(mesh.triangles(f, (c + 2) % 3)));
+            defect[mesh.triangles(f, c)] +=
+                corner_angle(mesh.vertices.row(mesh.triangles(f, c)),
+                             mesh.vertices.row(mesh.triangles(f, (c + 1) % 3)),
+                             mesh.vertices.row(mesh.triangles(f, (c + 2) % 3)));
     for (Index v = 0; v < n; ++v)
         defect[v] = border[static_cast<std::size_t>(v)] || defect[v] == 0
                         ? 0.0

@@ -7,7 +7,8 @@
 
 namespace mien {
 
-/// Mean over the vertices of |dx| + |dy| + |dz|, mm (4.6). Same vertex count, else Status::mismatch.
+/// Mean over the vertices of |dx| + |dy| + |dz|, mm (4.6). Same vertex count, else
+/// Status::mismatch.
 double l1_distance(const PointsRef& a, const PointsRef& b);
 /// Mean over the vertices of the Euclidean distance, mm.
 double l2_distance(const PointsRef& a, const PointsRef& b);

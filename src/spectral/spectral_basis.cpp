@@ -41,8 +41,10 @@ void check_limits(const SpectralBasis& basis, const std::vector<Index>& limits) 
 }
 
 // The transposed matrix of `count` modes from `first` on.
-Eigen::Map<const Matrix, 0, Eigen::OuterStride<>> modes_of(const SpectralBasis& basis, Index first, Index count) {
-    return {basis.vectors + first, count, basis.num_vertices(), Eigen::OuterStride<>(basis.num_modes())};
+Eigen::Map<const Matrix, 0, Eigen::OuterStride<>> modes_of(const SpectralBasis& basis, Index first,
+                                                           Index count) {
+    return {basis.vectors + first, count, basis.num_vertices(),
+            Eigen::OuterStride<>(basis.num_modes())};
 }
 
 const char* name_of(MassKind kind) {
@@ -78,11 +80,12 @@ std::shared_ptr<const SpectralBasis> build_spectral_basis(const TriMesh& mean_me
     basis->mass_kind = options.with_mass ? name_of(options.laplacian.mass) : "none";
     basis->negative_kind = name_of(options.laplacian.negative);
     auto rows = std::make_shared<std::vector<double>>(static_cast<std::size_t>(n * k));
-    parallel_for(context, static_cast<std::size_t>(n), kRows, [&](std::size_t begin, std::size_t end) {
-        for (Index c = 0; c < k; ++c)
-            for (auto v = static_cast<Index>(begin); v < static_cast<Index>(end); ++v)
-                (*rows)[static_cast<std::size_t>(v * k + c)] = pairs.vectors(v, c);
-    });
+    parallel_for(context, static_cast<std::size_t>(n), kRows,
+                 [&](std::size_t begin, std::size_t end) {
+                     for (Index c = 0; c < k; ++c)
+                         for (auto v = static_cast<Index>(begin); v < static_cast<Index>(end); ++v)
+                             (*rows)[static_cast<std::size_t>(v * k + c)] = pairs.vectors(v, c);
+                 });
     basis->vectors = rows->data();
     basis->storage = rows;
     context.progress(Stage::basis, 1.0);
@@ -100,7 +103,8 @@ std::shared_ptr<const SpectralBasis> load_spectral_basis(const std::string& path
     const auto k = static_cast<std::int64_t>(vectors.shape[1]);
     const TensorView& triangles = file.tensor("triangles", DType::u32, {-1, 3});
     auto basis = std::make_shared<SpectralBasis>();
-    basis->mean_mesh.vertices = Eigen::Map<const Points>(static_cast<const double*>(mean.data), n, 3);
+    basis->mean_mesh.vertices =
+        Eigen::Map<const Points>(static_cast<const double*>(mean.data), n, 3);
     basis->mean_mesh.triangles =
         Eigen::Map<const Triangles>(static_cast<const std::uint32_t*>(triangles.data),
                                     static_cast<Index>(triangles.shape[0]), 3);
@@ -110,7 +114,8 @@ std::shared_ptr<const SpectralBasis> load_spectral_basis(const std::string& path
     basis->mass = Eigen::Map<const Vector>(
         static_cast<const double*>(file.tensor("mass", DType::f64, {n}).data), n);
     if (k < 1 || !(basis->mass.minCoeff() > 0))
-        fail(Status::bad_format, "a spectral basis file without modes or with a mass that is not positive");
+        fail(Status::bad_format,
+             "a spectral basis file without modes or with a mass that is not positive");
     basis->vectors = static_cast<const double*>(vectors.data);
     basis->storage = file.storage();
     basis->mass_kind = file.metadata("mass");
@@ -141,7 +146,8 @@ Matrix project(const SpectralBasis& basis, const PointsRef& field, Index count,
                const Context& context) {
     check_field(basis, field, count);
     Matrix coefficients;
-    dense::project_rows(context, modes_of(basis, 0, count), basis.mass.asDiagonal() * field, coefficients);
+    dense::project_rows(context, modes_of(basis, 0, count), basis.mass.asDiagonal() * field,
+                        coefficients);
     return coefficients;
 }
 
@@ -149,8 +155,10 @@ Points synthesise(const SpectralBasis& basis, const Matrix& coefficients, Index 
                   const Context& context) {
     const Index k = basis.num_modes(), count = coefficients.rows();
     if (first < 0 || first + count > k || (count > 0 && coefficients.cols() != 3))
-        fail(Status::invalid_argument, "%lld coefficients from mode %lld of a basis with %lld modes",
-             static_cast<long long>(count), static_cast<long long>(first), static_cast<long long>(k));
+        fail(Status::invalid_argument,
+             "%lld coefficients from mode %lld of a basis with %lld modes",
+             static_cast<long long>(count), static_cast<long long>(first),
+             static_cast<long long>(k));
     Points field;
     dense::expand_rows(context, modes_of(basis, first, count), coefficients, field);
     return field;
@@ -166,7 +174,8 @@ std::vector<Points> split_bands(const SpectralBasis& basis, const PointsRef& fac
     const Matrix coefficients = project(basis, rest, last, context);
     Index first = 0;
     for (const Index limit : limits) {
-        bands.push_back(synthesise(basis, coefficients.middleRows(first, limit - first), first, context));
+        bands.push_back(
+            synthesise(basis, coefficients.middleRows(first, limit - first), first, context));
         rest -= bands.back();
         first = limit;
     }
@@ -178,7 +187,8 @@ Points merge_bands(const SpectralBasis& basis, const std::vector<Points>& bands,
                    const std::vector<Index>& limits, const Context& context) {
     check_limits(basis, limits);
     if (bands.size() != limits.size() + 1)
-        fail(Status::invalid_argument, "%zu bands for %zu band limits", bands.size(), limits.size());
+        fail(Status::invalid_argument, "%zu bands for %zu band limits", bands.size(),
+             limits.size());
     Points face = basis.mean_mesh.vertices;
     const Index last = limits.empty() ? 0 : limits.back();
     Matrix kept(last, 3);
@@ -196,14 +206,16 @@ Points merge_bands(const SpectralBasis& basis, const std::vector<Points>& bands,
     return face;
 }
 
-Points low_band(const SpectralBasis& basis, const PointsRef& face, Index k, const Context& context) {
+Points low_band(const SpectralBasis& basis, const PointsRef& face, Index k,
+                const Context& context) {
     check_field(basis, face, k);
     const Points displacement = face - basis.mean_mesh.vertices;
     return synthesise(basis, project(basis, displacement, k, context), 0, context) +
            basis.mean_mesh.vertices;
 }
 
-Points high_band(const SpectralBasis& basis, const PointsRef& face, Index k, const Context& context) {
+Points high_band(const SpectralBasis& basis, const PointsRef& face, Index k,
+                 const Context& context) {
     check_field(basis, face, k);
     const Points displacement = face - basis.mean_mesh.vertices;
     return face - synthesise(basis, project(basis, displacement, k, context), 0, context);

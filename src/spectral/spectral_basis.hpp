@@ -13,10 +13,10 @@
 namespace mien {
 
 struct SpectralBasisOptions {
-    Index num_modes = 500;   ///< k of the thesis; 1 .. #V - 1
+    Index num_modes = 500;  ///< k of the thesis; 1 .. #V - 1
     LaplacianOptions laplacian;
-    /// true: L U = M U Lambda (4.2). false: L U = U Lambda (4.1), for comparison; bands then depend on
-    /// how finely each region is triangulated.
+    /// true: L U = M U Lambda (4.2). false: L U = U Lambda (4.1), for comparison; bands then depend
+    /// on how finely each region is triangulated.
     bool with_mass = true;
 };
 
@@ -70,15 +70,16 @@ Points merge_bands(const SpectralBasis& basis, const std::vector<Points>& bands,
 Points low_band(const SpectralBasis& basis, const PointsRef& face, Index k, const Context& context);
 Points high_band(const SpectralBasis& basis, const PointsRef& face, Index k,
                  const Context& context);
-/// (4.15), (5.10): X low + (I - X) high for two whole faces. k = 0 gives `high`, k >= #V gives `low`.
+/// (4.15), (5.10): X low + (I - X) high for two whole faces. k = 0 gives `high`, k >= #V gives
+/// `low`.
 Points assemble(const SpectralBasis& basis, const PointsRef& low, const PointsRef& high, Index k,
                 const Context& context);
 
 /// Gains on the bands of a face: 0 removes a band (smooths), 1 keeps it, more exaggerates it.
 Points edit_bands(const SpectralBasis& basis, const PointsRef& face,
                   const std::vector<Index>& limits, const Vector& gains, const Context& context);
-/// (4.16) in the linear setting: each band moved from a towards b by its own weight; weights 1 and 0
-/// exchange the detail of two faces.
+/// (4.16) in the linear setting: each band moved from a towards b by its own weight; weights 1 and
+/// 0 exchange the detail of two faces.
 Points mix_bands(const SpectralBasis& basis, const PointsRef& a, const PointsRef& b,
                  const std::vector<Index>& limits, const Vector& weights, const Context& context);
 

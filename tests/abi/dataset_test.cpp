@@ -7,7 +7,8 @@ using namespace mien_test;
 struct Writer {
     Writer(mien_session* session, const mien_mesh* topology) {
         const char* names[] = {"neutral", "smile"};
-        EXPECT_EQ(MIEN_OK, mien_dataset_writer_create(session, topology, names, 2, &handle, nullptr));
+        EXPECT_EQ(MIEN_OK,
+                  mien_dataset_writer_create(session, topology, names, 2, &handle, nullptr));
     }
     ~Writer() { mien_dataset_writer_release(handle); }
     mien_dataset_writer* handle = nullptr;
@@ -20,8 +21,10 @@ TEST(DatasetWriter, RefusesFacesThatDoNotBelong) {
     Square square;
     mien_array_view face{square.positions, 4, 0, MIEN_DTYPE_F32, 0};
     EXPECT_EQ(MIEN_OK, mien_dataset_writer_add(writer.handle, &face, 7, 1, nullptr));
-    EXPECT_EQ(MIEN_E_INVALID_ARGUMENT, mien_dataset_writer_add(writer.handle, &face, 7, 2, nullptr));
-    EXPECT_EQ(MIEN_E_INVALID_ARGUMENT, mien_dataset_writer_add(writer.handle, &face, 7, -1, nullptr));
+    EXPECT_EQ(MIEN_E_INVALID_ARGUMENT,
+              mien_dataset_writer_add(writer.handle, &face, 7, 2, nullptr));
+    EXPECT_EQ(MIEN_E_INVALID_ARGUMENT,
+              mien_dataset_writer_add(writer.handle, &face, 7, -1, nullptr));
     face.count = 3;
     EXPECT_EQ(MIEN_E_MISMATCH, mien_dataset_writer_add(writer.handle, &face, 7, 0, nullptr));
     face.count = 4;
@@ -29,8 +32,9 @@ TEST(DatasetWriter, RefusesFacesThatDoNotBelong) {
     mien_error error = fresh_error();
     EXPECT_EQ(MIEN_E_INVALID_MESH, mien_dataset_writer_add(writer.handle, &face, 7, 0, &error));
     EXPECT_EQ(0, error.detail_index);
-    EXPECT_EQ(MIEN_OK, mien_dataset_writer_save(session, writer.handle,
-                                                temporary_path("faces.safetensors").c_str(), nullptr));
+    EXPECT_EQ(MIEN_OK,
+              mien_dataset_writer_save(session, writer.handle,
+                                       temporary_path("faces.safetensors").c_str(), nullptr));
 }
 
 TEST(DatasetWriter, RefusesToSaveNothing) {
@@ -38,7 +42,8 @@ TEST(DatasetWriter, RefusesToSaveNothing) {
     const Mesh mesh = make_square(session);
     Writer writer(session, mesh.get());
     EXPECT_EQ(MIEN_E_INVALID_ARGUMENT,
-              mien_dataset_writer_save(session, writer.handle, temporary_path("none.safetensors").c_str(), nullptr));
+              mien_dataset_writer_save(session, writer.handle,
+                                       temporary_path("none.safetensors").c_str(), nullptr));
 }
 
 }  // namespace

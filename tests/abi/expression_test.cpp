@@ -12,8 +12,8 @@ namespace {
 
 using mien_test::fresh_error;
 
-/// A sheet of side x side vertices whose middle bulges with the subject and whose edge lifts with the
-/// expression.
+/// A sheet of side x side vertices whose middle bulges with the subject and whose edge lifts with
+/// the expression.
 struct Sheet {
     static constexpr int kSide = 12, kSubjects = 12;
     std::vector<mien::Triangle> triangles;
@@ -34,7 +34,8 @@ struct Sheet {
                 for (int k = 1; k < 6; ++k)
                     z += 3 * std::sin(7.3 * subject + k) * std::sin(0.25 * k * x + 0.1 * k * k * y);
                 if (expression == 1) lift = (5 + std::sin(3.1 * subject)) * std::exp(-0.3 * y);
-                if (expression == 2) lift = -(4 + std::cos(5.7 * subject)) * std::exp(-0.4 * (kSide - y));
+                if (expression == 2)
+                    lift = -(4 + std::cos(5.7 * subject)) * std::exp(-0.4 * (kSide - y));
                 positions.push_back({10.0 * x, 10.0 * y + lift, z});
             }
         return positions;
@@ -43,13 +44,13 @@ struct Sheet {
         const mien::Mesh topology(session, face(0, 0), triangles);
         const char* names[] = {"neutral", "up", "down"};
         mien_dataset_writer* writer = nullptr;
-        EXPECT_EQ(MIEN_OK,
-                  mien_dataset_writer_create(session.get(), topology.get(), names, 3, &writer, nullptr));
+        EXPECT_EQ(MIEN_OK, mien_dataset_writer_create(session.get(), topology.get(), names, 3,
+                                                      &writer, nullptr));
         for (int s = 0; s < kSubjects; ++s)
             for (int e = 0; e < 3; ++e) {
                 const auto positions = face(s, e);
-                const mien_array_view view{positions.data(), positions.size(), sizeof(mien::Position),
-                                           MIEN_DTYPE_F64, 0};
+                const mien_array_view view{positions.data(), positions.size(),
+                                           sizeof(mien::Position), MIEN_DTYPE_F64, 0};
                 EXPECT_EQ(MIEN_OK, mien_dataset_writer_add(writer, &view, s, e, nullptr));
             }
         const std::string path = testing::TempDir() + "mien_abi_expression.safetensors";
@@ -66,7 +67,8 @@ class Expression : public testing::Test {
         data_ = new std::string(sheet().write_dataset(*session_));
         mien::TrainOptions options;
         options.identity_modes = options.expression_modes = 5;
-        model_ = new mien::ExpressionModel(mien::ExpressionModel::train(*session_, *data_, options));
+        model_ =
+            new mien::ExpressionModel(mien::ExpressionModel::train(*session_, *data_, options));
     }
     static void TearDownTestSuite() {
         std::remove(data_->c_str());
@@ -81,7 +83,8 @@ class Expression : public testing::Test {
     static mien::Mesh face(int subject, int expression) {
         return mien::Mesh(*session_, sheet().face(subject, expression), sheet().triangles);
     }
-    static double distance(const std::vector<mien::Position>& a, const std::vector<mien::Position>& b) {
+    static double distance(const std::vector<mien::Position>& a,
+                           const std::vector<mien::Position>& b) {
         double sum = 0;
         for (std::size_t i = 0; i < a.size(); ++i)
             sum += std::hypot(a[i][0] - b[i][0], a[i][1] - b[i][1], a[i][2] - b[i][2]);
@@ -112,7 +115,8 @@ TEST_F(Expression, AModelFileGivesTheSameBits) {
     EXPECT_EQ(loaded.identity_modes(), model_->identity_modes());
     std::ifstream file(path, std::ios::binary);
     std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    const mien::ExpressionModel copied = mien::ExpressionModel::load_memory(*session_, bytes.data(), bytes.size());
+    const mien::ExpressionModel copied =
+        mien::ExpressionModel::load_memory(*session_, bytes.data(), bytes.size());
     std::fill(bytes.begin(), bytes.end(), '\0');
     EXPECT_EQ(mien::Neutralization(*session_, copied, face(21, 2)).mesh().positions(),
               mien::Neutralization(*session_, loaded, face(21, 2)).mesh().positions());
@@ -122,7 +126,8 @@ TEST_F(Expression, AModelFileGivesTheSameBits) {
 TEST_F(Expression, ShardsMergeIntoTheModelOfASingleRun) {
     std::vector<std::string> shards;
     for (int part = 0; part < 2; ++part) {
-        shards.push_back(testing::TempDir() + "mien_abi_shard" + std::to_string(part) + ".safetensors");
+        shards.push_back(testing::TempDir() + "mien_abi_shard" + std::to_string(part) +
+                         ".safetensors");
         mien::ExpressionModel::write_shard(*session_, *data_, part, 2, shards.back());
     }
     mien::TrainOptions options;
@@ -146,16 +151,21 @@ TEST_F(Expression, SeriesScanAndTransferWork) {
     mien::SeriesOptions weighted;
     const std::vector<double> ones(truth.size() * faces.size(), 1.0);
     weighted.set_weights(ones);
-    EXPECT_LT(distance(mien::Series(*session_, *model_, faces, weighted).identity().positions(), truth), 0.3);
+    EXPECT_LT(
+        distance(mien::Series(*session_, *model_, faces, weighted).identity().positions(), truth),
+        0.3);
     const std::vector<double> too_few(truth.size(), 1.0);
     weighted.set_weights(too_few);
     EXPECT_THROW(mien::Series(*session_, *model_, faces, weighted), mien::Exception);
 
-    const mien::Neutralization up(*session_, *model_, faces[0]), none(*session_, *model_, face(24, 0));
-    EXPECT_LT(distance(up.apply_to_scan(*session_, faces[0]).positions(), up.mesh().positions()), 0.3);
+    const mien::Neutralization up(*session_, *model_, faces[0]),
+        none(*session_, *model_, face(24, 0));
+    EXPECT_LT(distance(up.apply_to_scan(*session_, faces[0]).positions(), up.mesh().positions()),
+              0.3);
     const auto worn = up.transfer_to(*session_, *model_, none).positions();
     EXPECT_LT(distance(worn, sheet().face(24, 1)), 0.5 * distance(worn, sheet().face(24, 0)));
-    EXPECT_EQ(model_->sample(*session_, 7, "up").positions(), model_->sample(*session_, 7, "up").positions());
+    EXPECT_EQ(model_->sample(*session_, 7, "up").positions(),
+              model_->sample(*session_, 7, "up").positions());
 }
 
 TEST_F(Expression, VisitsOfOnePersonAreComparedWithoutTheirExpressions) {
@@ -195,33 +205,34 @@ TEST_F(Expression, EvaluationIsJsonWithEveryExpression) {
 TEST_F(Expression, BadInputIsATypedError) {
     mien_error error = fresh_error();
     mien_neutralization* out = reinterpret_cast<mien_neutralization*>(1);
-    EXPECT_EQ(MIEN_E_INVALID_HANDLE,
-              mien_neutralize_mesh(session_->get(), nullptr, face(1, 1).get(), nullptr, &out, &error));
+    EXPECT_EQ(MIEN_E_INVALID_HANDLE, mien_neutralize_mesh(session_->get(), nullptr,
+                                                          face(1, 1).get(), nullptr, &out, &error));
     EXPECT_EQ(nullptr, out);
-    EXPECT_EQ(MIEN_E_INVALID_HANDLE, mien_neutralize_mesh(session_->get(), model_->get(), nullptr, nullptr,
-                                                          &out, &error));
+    EXPECT_EQ(MIEN_E_INVALID_HANDLE,
+              mien_neutralize_mesh(session_->get(), model_->get(), nullptr, nullptr, &out, &error));
     const mien::Mesh small(*session_, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
-    EXPECT_EQ(MIEN_E_MISMATCH, mien_neutralize_mesh(session_->get(), model_->get(), small.get(), nullptr,
-                                                    &out, &error));
+    EXPECT_EQ(MIEN_E_MISMATCH, mien_neutralize_mesh(session_->get(), model_->get(), small.get(),
+                                                    nullptr, &out, &error));
     mien::NeutralizeOptions options;
     std::vector<double> weights(Sheet::kSide * Sheet::kSide, 1.0);
     weights[17] = std::numeric_limits<double>::quiet_NaN();
     options.set_weights(weights);
     const mien::Mesh good = face(1, 1);
-    EXPECT_EQ(MIEN_E_INVALID_ARGUMENT, mien_neutralize_mesh(session_->get(), model_->get(), good.get(),
-                                                            &options, &out, &error));
+    EXPECT_EQ(MIEN_E_INVALID_ARGUMENT, mien_neutralize_mesh(session_->get(), model_->get(),
+                                                            good.get(), &options, &out, &error));
     EXPECT_EQ(17, error.detail_index);
     options = {};
     options.method = 9;
-    EXPECT_EQ(MIEN_E_INVALID_ARGUMENT, mien_neutralize_mesh(session_->get(), model_->get(), good.get(),
-                                                            &options, &out, &error));
+    EXPECT_EQ(MIEN_E_INVALID_ARGUMENT, mien_neutralize_mesh(session_->get(), model_->get(),
+                                                            good.get(), &options, &out, &error));
     mien_expression_model* model = nullptr;
     EXPECT_EQ(MIEN_E_WRONG_KIND,
               mien_expression_model_load(session_->get(), data_->c_str(), &model, &error));
     EXPECT_EQ(MIEN_E_IO, mien_expression_model_load(session_->get(), "/nowhere/x", &model, &error));
     const mien::Neutralization result(*session_, *model_, good);
     std::uint64_t count = 0;
-    EXPECT_EQ(MIEN_E_NOT_FOUND, mien_neutralization_get_uncertainty(result.get(), nullptr, 0, &count, &error));
+    EXPECT_EQ(MIEN_E_NOT_FOUND,
+              mien_neutralization_get_uncertainty(result.get(), nullptr, 0, &count, &error));
     EXPECT_EQ(nullptr, mien_neutralization_mesh(nullptr));
     mien_neutralization_release(nullptr);
     mien_expression_model_release(nullptr);

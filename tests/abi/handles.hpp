@@ -26,7 +26,8 @@ struct Session {
         mien_session_options_init(&options, sizeof options);
         options.num_threads = num_threads;
         options.max_bytes = max_bytes;
-        EXPECT_EQ(MIEN_OK, mien_session_create_with_options(MIEN_ABI_VERSION, &options, &handle, nullptr));
+        EXPECT_EQ(MIEN_OK,
+                  mien_session_create_with_options(MIEN_ABI_VERSION, &options, &handle, nullptr));
     }
     ~Session() { mien_session_release(handle); }
     Session(const Session&) = delete;
@@ -60,6 +61,8 @@ inline Mesh make_square(mien_session* session) {
 }
 
 /// A writable folder of this test program.
-inline std::string temporary_path(const std::string& name) { return ::testing::TempDir() + "mien_abi_" + name; }
+inline std::string temporary_path(const std::string& name) {
+    return ::testing::TempDir() + "mien_abi_" + name;
+}
 
 }  // namespace mien_test

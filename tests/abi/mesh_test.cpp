@@ -15,7 +15,8 @@ TEST(Mesh, KeepsWhatTheHostGave) {
     EXPECT_EQ(2u, triangles);
     double positions[12];
     uint64_t count = 0;
-    EXPECT_EQ(MIEN_OK, mien_mesh_get_positions(mesh.get(), MIEN_DTYPE_F64, positions, 4, &count, nullptr));
+    EXPECT_EQ(MIEN_OK,
+              mien_mesh_get_positions(mesh.get(), MIEN_DTYPE_F64, positions, 4, &count, nullptr));
     EXPECT_EQ(1.0, positions[3]);
     uint32_t indices[6];
     EXPECT_EQ(MIEN_OK, mien_mesh_get_triangles(mesh.get(), indices, 2, nullptr, nullptr));
@@ -40,7 +41,8 @@ TEST(Mesh, TwoCallProtocolWritesTheCountAndNothingElse) {
     Session session;
     const Mesh mesh = make_square(session);
     uint64_t count = 0;
-    EXPECT_EQ(MIEN_OK, mien_mesh_get_positions(mesh.get(), MIEN_DTYPE_F32, nullptr, 0, &count, nullptr));
+    EXPECT_EQ(MIEN_OK,
+              mien_mesh_get_positions(mesh.get(), MIEN_DTYPE_F32, nullptr, 0, &count, nullptr));
     EXPECT_EQ(4u, count);
     float untouched[12] = {7};
     count = 0;
@@ -151,7 +153,8 @@ TEST(Mesh, FilesGoAndComeBack) {
     }
     mien_mesh* missing = nullptr;
     mien_error error = fresh_error();
-    EXPECT_EQ(MIEN_E_IO, mien_mesh_load(session, temporary_path("none.ply").c_str(), &missing, &error));
+    EXPECT_EQ(MIEN_E_IO,
+              mien_mesh_load(session, temporary_path("none.ply").c_str(), &missing, &error));
     EXPECT_NE(nullptr, std::strstr(error.message, "none.ply"));
 }
 

@@ -19,7 +19,8 @@ Mesh make_grid(mien_session* session) {
     std::vector<std::uint32_t> triangles;
     for (int y = 0; y < 11; ++y)
         for (int x = 0; x < 11; ++x) {
-            positions.insert(positions.end(), {10.0 * x, 10.0 * y, 5.0 * std::sin(0.7 * x) * std::cos(0.5 * y)});
+            positions.insert(positions.end(),
+                             {10.0 * x, 10.0 * y, 5.0 * std::sin(0.7 * x) * std::cos(0.5 * y)});
             if (x < 10 && y < 10) {
                 const auto a = static_cast<std::uint32_t>(11 * y + x);
                 triangles.insert(triangles.end(), {a, a + 1, a + 12, a, a + 12, a + 11});
@@ -49,13 +50,16 @@ mien_model_options small_options() {
 Model build(mien_session* session, const mien_model_options& options) {
     mien_model* model = nullptr;
     mien_error error = fresh_error();
-    EXPECT_EQ(MIEN_OK, mien_model_build(session, make_grid(session).get(), &options, &model, &error)) << error.message;
+    EXPECT_EQ(MIEN_OK,
+              mien_model_build(session, make_grid(session).get(), &options, &model, &error))
+        << error.message;
     return Model(model, mien_model_release);
 }
 
 std::vector<double> positions_of(const mien_mesh* mesh) {
     std::vector<double> out(363);
-    EXPECT_EQ(MIEN_OK, mien_mesh_get_positions(mesh, MIEN_DTYPE_F64, out.data(), 121, nullptr, nullptr));
+    EXPECT_EQ(MIEN_OK,
+              mien_mesh_get_positions(mesh, MIEN_DTYPE_F64, out.data(), 121, nullptr, nullptr));
     return out;
 }
 
@@ -96,14 +100,17 @@ TEST(AbiModel, BuildsSavesAndLoadsTheSameModel) {
 TEST(AbiModel, LoadsFromMemoryWhateverBecomesOfTheBytes) {
     Session session;
     const std::string path = temporary_path("memory.safetensors");
-    ASSERT_EQ(MIEN_OK, mien_model_save(session, build(session, small_options()).get(), path.c_str(), nullptr));
+    ASSERT_EQ(MIEN_OK, mien_model_save(session, build(session, small_options()).get(), path.c_str(),
+                                       nullptr));
     std::ifstream file(path, std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
     std::vector<char> crooked(bytes.size() + 1);
     std::copy(bytes.begin(), bytes.end(), crooked.begin() + 1);
     mien_model *raw = nullptr, *conditioned = nullptr;
     mien_error error = fresh_error();
-    ASSERT_EQ(MIEN_OK, mien_model_load_memory(session, crooked.data() + 1, bytes.size(), &raw, &error)) << error.message;
+    ASSERT_EQ(MIEN_OK,
+              mien_model_load_memory(session, crooked.data() + 1, bytes.size(), &raw, &error))
+        << error.message;
     std::fill(crooked.begin(), crooked.end(), '\0');
     Model from_memory(raw, mien_model_release);
     ASSERT_EQ(MIEN_OK, mien_model_load(session, path.c_str(), &raw, &error)) << error.message;
@@ -111,7 +118,8 @@ TEST(AbiModel, LoadsFromMemoryWhateverBecomesOfTheBytes) {
     EXPECT_EQ(json_of(from_memory.get()), json_of(from_file.get()));
     // A model made from it borrows its modes, and outlives it.
     const mien_landmark_observation seen{"nose", 0, 0, {50, 50, 3}, 1};
-    ASSERT_EQ(MIEN_OK, mien_model_condition(session, from_memory.get(), &seen, 1, &conditioned, nullptr));
+    ASSERT_EQ(MIEN_OK,
+              mien_model_condition(session, from_memory.get(), &seen, 1, &conditioned, nullptr));
     from_memory.reset();
     const Model after(conditioned, mien_model_release);
     ASSERT_EQ(MIEN_OK, mien_model_condition(session, from_file.get(), &seen, 1, &raw, nullptr));
@@ -125,15 +133,20 @@ TEST(AbiModel, LoadsFromMemoryWhateverBecomesOfTheBytes) {
     };
     EXPECT_EQ(sample(after.get()), sample(expected.get()));
     // A size that is not the file's.
-    for (const std::uint64_t size : {std::uint64_t{0}, std::uint64_t{bytes.size() - 1}, std::uint64_t{bytes.size() + 1},
-                                     ~std::uint64_t{0}, ~std::uint64_t{0} >> 1})
-        EXPECT_NE(MIEN_OK, mien_model_load_memory(session, bytes.data(), size, &raw, nullptr)) << size;
+    for (const std::uint64_t size :
+         {std::uint64_t{0}, std::uint64_t{bytes.size() - 1}, std::uint64_t{bytes.size() + 1},
+          ~std::uint64_t{0}, ~std::uint64_t{0} >> 1})
+        EXPECT_NE(MIEN_OK, mien_model_load_memory(session, bytes.data(), size, &raw, nullptr))
+            << size;
     std::string damaged = bytes;
     damaged[damaged.size() - 5] ^= 1;
-    EXPECT_EQ(MIEN_E_CORRUPT, mien_model_load_memory(session, damaged.data(), damaged.size(), &raw, nullptr));
+    EXPECT_EQ(MIEN_E_CORRUPT,
+              mien_model_load_memory(session, damaged.data(), damaged.size(), &raw, nullptr));
     mien_expression_model* other = nullptr;
-    EXPECT_EQ(MIEN_E_WRONG_KIND, mien_expression_model_load_memory(session, bytes.data(), bytes.size(), &other, nullptr));
-    EXPECT_EQ(MIEN_E_MEMORY_BUDGET, mien_model_load_memory(Session(1, 1000), bytes.data(), bytes.size(), &raw, nullptr));
+    EXPECT_EQ(MIEN_E_WRONG_KIND, mien_expression_model_load_memory(session, bytes.data(),
+                                                                   bytes.size(), &other, nullptr));
+    EXPECT_EQ(MIEN_E_MEMORY_BUDGET,
+              mien_model_load_memory(Session(1, 1000), bytes.data(), bytes.size(), &raw, nullptr));
     std::remove(path.c_str());
 }
 
@@ -168,7 +181,8 @@ TEST(AbiModel, ConditioningPullsTheMeanAndShrinksTheVariance) {
     std::uint64_t count = 0;
     ASSERT_EQ(MIEN_OK, mien_model_get_variance(prior.get(), before.data(), 121, &count, nullptr));
     EXPECT_EQ(count, 121u);
-    ASSERT_EQ(MIEN_OK, mien_model_get_variance(posterior.get(), after.data(), 121, &count, nullptr));
+    ASSERT_EQ(MIEN_OK,
+              mien_model_get_variance(posterior.get(), after.data(), 121, &count, nullptr));
     EXPECT_GT(before[180], 0.5);
     EXPECT_LE(after[180], 0.01001);
     seen.name = "ear";
@@ -183,10 +197,12 @@ TEST(AbiModel, TuningNamesTheBestSigma) {
     const Model truth = build(session, small_options());
     mien_dataset_writer* writer = nullptr;
     const char* names[] = {"neutral"};
-    ASSERT_EQ(MIEN_OK, mien_dataset_writer_create(session, mien_model_mesh(truth.get()), names, 1, &writer, nullptr));
+    ASSERT_EQ(MIEN_OK, mien_dataset_writer_create(session, mien_model_mesh(truth.get()), names, 1,
+                                                  &writer, nullptr));
     for (int k = 0; k < 3; ++k) {
         mien_mesh* face = nullptr;
-        ASSERT_EQ(MIEN_OK, mien_model_sample(session, truth.get(), 1, static_cast<std::uint64_t>(k), 3, &face, nullptr));
+        ASSERT_EQ(MIEN_OK, mien_model_sample(session, truth.get(), 1, static_cast<std::uint64_t>(k),
+                                             3, &face, nullptr));
         const std::vector<double> x = positions_of(face);
         const mien_array_view view{x.data(), 121, 0, MIEN_DTYPE_F64, 0};
         ASSERT_EQ(MIEN_OK, mien_dataset_writer_add(writer, &view, k, 0, nullptr));
@@ -204,21 +220,22 @@ TEST(AbiModel, TuningNamesTheBestSigma) {
     options.rho = 0.1;
     mien_tuning* tuning = nullptr;
     mien_error error = fresh_error();
-    ASSERT_EQ(MIEN_OK, mien_model_tune(session, mien_model_mesh(truth.get()), path.c_str(), &options, &tuning, &error))
+    ASSERT_EQ(MIEN_OK, mien_model_tune(session, mien_model_mesh(truth.get()), path.c_str(),
+                                       &options, &tuning, &error))
         << error.message;
     char text[8192];
     ASSERT_EQ(MIEN_OK, mien_tuning_get_json(tuning, text, sizeof text, nullptr, nullptr));
     EXPECT_NE(std::strstr(text, "\"best_sigma_mm\":25"), nullptr) << text;
     mien_tuning_release(tuning);
     options.sigma_count = 0;
-    EXPECT_EQ(MIEN_E_INVALID_ARGUMENT,
-              mien_model_tune(session, mien_model_mesh(truth.get()), path.c_str(), &options, &tuning, nullptr));
+    EXPECT_EQ(MIEN_E_INVALID_ARGUMENT, mien_model_tune(session, mien_model_mesh(truth.get()),
+                                                       path.c_str(), &options, &tuning, nullptr));
     const char* wrong[] = {"smirk"};
     options.sigma_count = 3;
     options.expressions = wrong;
     options.expression_count = 1;
-    EXPECT_EQ(MIEN_E_NOT_FOUND,
-              mien_model_tune(session, mien_model_mesh(truth.get()), path.c_str(), &options, &tuning, nullptr));
+    EXPECT_EQ(MIEN_E_NOT_FOUND, mien_model_tune(session, mien_model_mesh(truth.get()), path.c_str(),
+                                                &options, &tuning, nullptr));
 }
 
 TEST(AbiModel, WrongOptionsAreTypedErrorsAndTheSessionStillWorks) {
@@ -237,16 +254,21 @@ TEST(AbiModel, WrongOptionsAreTypedErrorsAndTheSessionStillWorks) {
     };
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(status([](mien_model_options& o) { o.kernel = 99; }), MIEN_E_UNSUPPORTED_OPTION);
-    EXPECT_EQ(status([](mien_model_options& o) { o.kernel = MIEN_KERNEL_NONE; }), MIEN_E_INVALID_ARGUMENT);
+    EXPECT_EQ(status([](mien_model_options& o) { o.kernel = MIEN_KERNEL_NONE; }),
+              MIEN_E_INVALID_ARGUMENT);
     EXPECT_EQ(status([&](mien_model_options& o) { o.sigma_mm = nan; }), MIEN_E_INVALID_ARGUMENT);
     EXPECT_EQ(status([](mien_model_options& o) { o.levels = 0; }), MIEN_E_INVALID_ARGUMENT);
     EXPECT_EQ(status([](mien_model_options& o) { o.num_modes = 0; }), MIEN_E_INVALID_ARGUMENT);
     EXPECT_EQ(status([](mien_model_options& o) { o.num_modes = -5; }), MIEN_E_INVALID_ARGUMENT);
-    EXPECT_EQ(status([](mien_model_options& o) { o.mirror_symmetric = 7; }), MIEN_E_UNSUPPORTED_OPTION);
+    EXPECT_EQ(status([](mien_model_options& o) { o.mirror_symmetric = 7; }),
+              MIEN_E_UNSUPPORTED_OPTION);
     EXPECT_EQ(status([](mien_model_options& o) { o.mirror_symmetric = 1; }), MIEN_E_INVALID_MESH);
-    EXPECT_EQ(status([](mien_model_options& o) { o.heat_boundary = 0; }), MIEN_E_UNSUPPORTED_OPTION);
-    EXPECT_EQ(status([](mien_model_options& o) { o.landmarks = nullptr; }), MIEN_E_INVALID_ARGUMENT);
-    EXPECT_EQ(status([](mien_model_options& o) { o.pca_dataset = "/nowhere/faces.safetensors"; }), MIEN_E_IO);
+    EXPECT_EQ(status([](mien_model_options& o) { o.heat_boundary = 0; }),
+              MIEN_E_UNSUPPORTED_OPTION);
+    EXPECT_EQ(status([](mien_model_options& o) { o.landmarks = nullptr; }),
+              MIEN_E_INVALID_ARGUMENT);
+    EXPECT_EQ(status([](mien_model_options& o) { o.pca_dataset = "/nowhere/faces.safetensors"; }),
+              MIEN_E_IO);
     EXPECT_EQ(status([](mien_model_options& o) { o.struct_size = 8; }), MIEN_E_INVALID_ARGUMENT);
     EXPECT_EQ(status([](mien_model_options&) {}), MIEN_OK);
     mien_model* model = nullptr;
@@ -257,11 +279,13 @@ TEST(AbiModel, WrongOptionsAreTypedErrorsAndTheSessionStillWorks) {
 TEST(AbiModel, ValuesThatTheChosenKernelDoesNotReadMustStillBeNumbers) {
     Session session;
     const Mesh grid = make_grid(session);
-    for (double mien_model_options::*field : {&mien_model_options::nu, &mien_model_options::pca_variance}) {
+    for (double mien_model_options::*field :
+         {&mien_model_options::nu, &mien_model_options::pca_variance}) {
         mien_model_options options = small_options();
         options.*field = std::numeric_limits<double>::quiet_NaN();
         mien_model* model = nullptr;
-        EXPECT_EQ(MIEN_E_INVALID_ARGUMENT, mien_model_build(session, grid.get(), &options, &model, nullptr));
+        EXPECT_EQ(MIEN_E_INVALID_ARGUMENT,
+                  mien_model_build(session, grid.get(), &options, &model, nullptr));
     }
 }
 
@@ -269,15 +293,20 @@ TEST(AbiModel, ReservedFieldsAndAlignmentOfArraysOfStructsAreChecked) {
     Session session;
     const Model model = build(session, small_options());
     mien_model* out = nullptr;
-    mien_landmark_observation seen[2] = {{"nose", 0, 0, {50, 50, 3}, 1}, {"nose", 0, 7, {50, 50, 3}, 1}};
-    EXPECT_EQ(MIEN_E_UNSUPPORTED_OPTION, mien_model_condition(session, model.get(), seen, 2, &out, nullptr));
-    const auto* crooked = reinterpret_cast<const mien_landmark_observation*>(reinterpret_cast<const char*>(seen) + 1);
-    EXPECT_EQ(MIEN_E_INVALID_ARGUMENT, mien_model_condition(session, model.get(), crooked, 1, &out, nullptr));
+    mien_landmark_observation seen[2] = {{"nose", 0, 0, {50, 50, 3}, 1},
+                                         {"nose", 0, 7, {50, 50, 3}, 1}};
+    EXPECT_EQ(MIEN_E_UNSUPPORTED_OPTION,
+              mien_model_condition(session, model.get(), seen, 2, &out, nullptr));
+    const auto* crooked =
+        reinterpret_cast<const mien_landmark_observation*>(reinterpret_cast<const char*>(seen) + 1);
+    EXPECT_EQ(MIEN_E_INVALID_ARGUMENT,
+              mien_model_condition(session, model.get(), crooked, 1, &out, nullptr));
     mien_landmark nose{"nose", 60, 1};
     mien_model_options options = small_options();
     options.landmarks = &nose;
     options.landmark_count = 1;
-    EXPECT_EQ(MIEN_E_UNSUPPORTED_OPTION, mien_model_build(session, make_grid(session).get(), &options, &out, nullptr));
+    EXPECT_EQ(MIEN_E_UNSUPPORTED_OPTION,
+              mien_model_build(session, make_grid(session).get(), &options, &out, nullptr));
 }
 
 TEST(AbiModel, CancelsAtEveryProgressPoint) {
@@ -298,7 +327,8 @@ TEST(AbiModel, CancelsAtEveryProgressPoint) {
     for (int stop = 1; stop <= all; ++stop) {
         counter = {0, stop};
         mien_model* model = nullptr;
-        EXPECT_EQ(MIEN_E_CANCELLED, mien_model_build(session, grid.get(), &options, &model, nullptr));
+        EXPECT_EQ(MIEN_E_CANCELLED,
+                  mien_model_build(session, grid.get(), &options, &model, nullptr));
         EXPECT_EQ(model, nullptr);
     }
 }

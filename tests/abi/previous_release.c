@@ -1,6 +1,7 @@
-/* A program of release 0.1, built against that release's headers (abi/baseline/mien-0.1.h) and run with the
- * present library: the whole job from arrays to a volume, with the structs as that release knew them. What
- * later releases add must not show here. Change it only when a new ABI number says so. */
+/* A program of release 0.1, built against that release's headers (abi/baseline/mien-0.1.h) and run
+ * with the present library: the whole job from arrays to a volume, with the structs as that release
+ * knew them. What later releases add must not show here. Change it only when a new ABI number says
+ * so. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -13,8 +14,7 @@ static double positions[3 * VERTICES];
 static uint32_t triangles[6 * (SIDE - 1) * (SIDE - 1)];
 static int reports;
 
-static int32_t MIEN_CALL on_progress(void *user, int32_t stage, double fraction)
-{
+static int32_t MIEN_CALL on_progress(void* user, int32_t stage, double fraction) {
     (void)user;
     (void)stage;
     (void)fraction;
@@ -23,34 +23,36 @@ static int32_t MIEN_CALL on_progress(void *user, int32_t stage, double fraction)
 }
 
 /* A sheet that bulges with the person and lifts at one edge with the expression. */
-static const double *face(int subject, int expression)
-{
+static const double* face(int subject, int expression) {
     int x, y, k;
     for (y = 0; y < SIDE; ++y)
         for (x = 0; x < SIDE; ++x) {
-            double *p = positions + 3 * (y * SIDE + x);
+            double* p = positions + 3 * (y * SIDE + x);
             p[0] = 8.0 * x;
             p[1] = 8.0 * y + (expression ? (5 + sin(3.1 * subject)) * exp(-0.3 * y) : 0);
             p[2] = 10 * sin(0.4 * x) * cos(0.3 * y);
-            for (k = 1; k < 5; ++k) p[2] += 2 * sin(7.3 * subject + k) * sin(0.2 * k * x + 0.1 * k * y);
+            for (k = 1; k < 5; ++k)
+                p[2] += 2 * sin(7.3 * subject + k) * sin(0.2 * k * x + 0.1 * k * y);
         }
     return positions;
 }
 
-static int must(mien_status status, const mien_error *error, const char *what)
-{
+static int must(mien_status status, const mien_error* error, const char* what) {
     if (status == MIEN_OK && error->status == MIEN_OK) return 0;
     printf("FAILED: %s: %s: %s\n", what, mien_status_name(status), error->message);
     return 1;
 }
-#define MUST(call) do { if (must((call), &error, #call)) return 1; } while (0)
+#define MUST(call)                                 \
+    do {                                           \
+        if (must((call), &error, #call)) return 1; \
+    } while (0)
 
-int main(void)
-{
-    static const char *const names[] = {"neutral", "lifted"};
-    const char *data = "previous_release_faces.safetensors", *file = "previous_release_model.safetensors";
+int main(void) {
+    static const char* const names[] = {"neutral", "lifted"};
+    const char *data = "previous_release_faces.safetensors",
+               *file = "previous_release_model.safetensors";
     const uint32_t corner[] = {0, 1, 2, SIDE, SIDE + 1, SIDE + 2};
-    uint32_t *out = triangles;
+    uint32_t* out = triangles;
     mien_error error = {.struct_size = sizeof error};
     mien_session_options settings;
     mien_mesh_arrays arrays;
@@ -63,21 +65,22 @@ int main(void)
     mien_fit_verdict verdict = {.struct_size = sizeof verdict};
     mien_zone_volume volume = {.struct_size = sizeof volume};
     mien_zone zone = {"corner", corner, 6};
-    mien_session *session = NULL;
+    mien_session* session = NULL;
     mien_mesh *mean = NULL, *scan = NULL;
-    mien_dataset_writer *writer = NULL;
+    mien_dataset_writer* writer = NULL;
     mien_model *built = NULL, *model = NULL;
-    mien_expression_model *expressions = NULL;
-    mien_registration *fitted = NULL;
-    mien_neutralization *neutral = NULL;
-    mien_measurement *measured = NULL;
+    mien_expression_model* expressions = NULL;
+    mien_registration* fitted = NULL;
+    mien_neutralization* neutral = NULL;
+    mien_measurement* measured = NULL;
     uint64_t count = 0;
     double moved[3 * VERTICES];
     int x, y, k;
 
     for (y = 0; y + 1 < SIDE; ++y)
         for (x = 0; x + 1 < SIDE; ++x) {
-            const uint32_t a = (uint32_t)(y * SIDE + x), quad[6] = {a, a + 1, a + SIDE + 1, a, a + SIDE + 1, a + SIDE};
+            const uint32_t a = (uint32_t)(y * SIDE + x),
+                           quad[6] = {a, a + 1, a + SIDE + 1, a, a + SIDE + 1, a + SIDE};
             memcpy(out, quad, sizeof quad);
             out += 6;
         }
@@ -115,7 +118,8 @@ int main(void)
     fitting.units = MIEN_UNITS_MILLIMETRES;
     MUST(mien_register(session, model, scan, &fitting, &fitted, &error));
     MUST(mien_registration_get_verdict(fitted, &verdict, &error));
-    if (!(verdict.mean_residual_mm < 1)) return printf("FAILED: the fit is %g mm away\n", verdict.mean_residual_mm), 1;
+    if (!(verdict.mean_residual_mm < 1))
+        return printf("FAILED: the fit is %g mm away\n", verdict.mean_residual_mm), 1;
 
     mien_train_options_init(&training, sizeof training);
     training.identity_modes = 3;
@@ -123,16 +127,20 @@ int main(void)
     MUST(mien_expression_model_train(session, data, &training, &expressions, &error));
     mien_neutralize_options_init(&neutralizing, sizeof neutralizing);
     MUST(mien_neutralize_mesh(session, expressions, scan, &neutralizing, &neutral, &error));
-    MUST(mien_mesh_get_positions(mien_neutralization_mesh(neutral), MIEN_DTYPE_F64, moved, VERTICES, &count, &error));
+    MUST(mien_mesh_get_positions(mien_neutralization_mesh(neutral), MIEN_DTYPE_F64, moved, VERTICES,
+                                 &count, &error));
     if (count != VERTICES) return printf("FAILED: the neutral face has another size\n"), 1;
 
     mien_measure_options_init(&measuring, sizeof measuring);
     measuring.zones = &zone;
     measuring.zone_count = 1;
-    MUST(mien_measure_volume(session, scan, mien_neutralization_mesh(neutral), &measuring, &measured, &error));
+    MUST(mien_measure_volume(session, scan, mien_neutralization_mesh(neutral), &measuring,
+                             &measured, &error));
     MUST(mien_measurement_get_volume(measured, 0, &volume, &error));
-    if (!(volume.absolute_ml >= fabs(volume.signed_ml))) return printf("FAILED: volumes disagree\n"), 1;
-    if (mien_measurement_get_volume(measured, 1, &volume, &error) != MIEN_E_NOT_FOUND || error.message[0] == '\0')
+    if (!(volume.absolute_ml >= fabs(volume.signed_ml)))
+        return printf("FAILED: volumes disagree\n"), 1;
+    if (mien_measurement_get_volume(measured, 1, &volume, &error) != MIEN_E_NOT_FOUND ||
+        error.message[0] == '\0')
         return printf("FAILED: a zone that is not there is found\n"), 1;
 
     mien_measurement_release(measured);

@@ -10,7 +10,8 @@ using namespace mien_test;
 TEST(Session, RefusesAnotherAbi) {
     mien_session* session = nullptr;
     mien_error error = fresh_error();
-    EXPECT_EQ(MIEN_E_UNSUPPORTED_VERSION, mien_session_create(MIEN_ABI_VERSION + 1, &session, &error));
+    EXPECT_EQ(MIEN_E_UNSUPPORTED_VERSION,
+              mien_session_create(MIEN_ABI_VERSION + 1, &session, &error));
     EXPECT_EQ(nullptr, session);
     EXPECT_EQ(MIEN_E_UNSUPPORTED_VERSION, error.status);
 }
@@ -48,7 +49,8 @@ TEST(Session, OptionsMayBeShortExactOrLongerWithAZeroTail) {
     EXPECT_EQ(0u, longer.tail);
     EXPECT_EQ(1, longer.known.num_threads);
     mien_session* session = nullptr;
-    EXPECT_EQ(MIEN_OK, mien_session_create_with_options(MIEN_ABI_VERSION, &longer.known, &session, nullptr));
+    EXPECT_EQ(MIEN_OK,
+              mien_session_create_with_options(MIEN_ABI_VERSION, &longer.known, &session, nullptr));
     mien_session_release(session);
     longer.tail = 1;
     EXPECT_EQ(MIEN_E_UNSUPPORTED_OPTION,
@@ -102,7 +104,8 @@ TEST(CppFace, ThrowsTheRecordAndSharesMeshes) {
     } catch (const mien::Exception& failure) {
         EXPECT_EQ(MIEN_E_IO, failure.status());
     }
-    const mien::Mesh mesh(session, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}});
+    const mien::Mesh mesh(session, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}},
+                          {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}});
     const mien::Mesh copy = mesh;
     EXPECT_EQ(3u, copy.positions().size());
     EXPECT_EQ(1u, copy.triangles().size());

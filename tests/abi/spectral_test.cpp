@@ -16,8 +16,9 @@ std::vector<Position> bump(double height, double wave) {
     for (int j = 0; j <= kCells; ++j)
         for (int i = 0; i <= kCells; ++i) {
             const double x = 2.5 * i - 20, y = 2.5 * j - 20;
-            points.push_back({x + 0.2 * std::sin(y), y,
-                              height * std::exp(-(x * x + y * y) / 200) + wave * std::cos(0.15 * x + 0.1 * y)});
+            points.push_back(
+                {x + 0.2 * std::sin(y), y,
+                 height * std::exp(-(x * x + y * y) / 200) + wave * std::cos(0.15 * x + 0.1 * y)});
         }
     return points;
 }
@@ -74,8 +75,10 @@ class SpectralAbi : public ::testing::Test {
         return file("faces.safetensors");
     }
     Session session_{2};
-    std::filesystem::path folder_ = std::filesystem::temp_directory_path() /
-        ("mien-spectral-" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+    std::filesystem::path folder_ =
+        std::filesystem::temp_directory_path() /
+        ("mien-spectral-" +
+         std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
 };
 
 TEST_F(SpectralAbi, BandsComeApartAndTogether) {
@@ -90,7 +93,10 @@ TEST_F(SpectralAbi, BandsComeApartAndTogether) {
     const Mesh other = face(session_, 10, 2);
     EXPECT_LT(largest_difference(b.mix(session_, given, other, {30}, {1, 1}), other), 1e-9);
     b.save(session_, file("basis.safetensors"));
-    EXPECT_EQ(largest_difference(SpectralBasis::load(session_, file("basis.safetensors")).low(session_, given, 30), low), 0.0);
+    EXPECT_EQ(
+        largest_difference(
+            SpectralBasis::load(session_, file("basis.safetensors")).low(session_, given, 30), low),
+        0.0);
 }
 
 TEST_F(SpectralAbi, BasisRefusesWhatIsOutOfRange) {
@@ -98,8 +104,12 @@ TEST_F(SpectralAbi, BasisRefusesWhatIsOutOfRange) {
     const Mesh given = face(session_, 17, 1);
     EXPECT_EQ(status_of([&] { b.low(session_, given, 41); }), MIEN_E_INVALID_ARGUMENT);
     EXPECT_EQ(status_of([&] { basis(100000); }), MIEN_E_INVALID_ARGUMENT);
-    EXPECT_EQ(status_of([&] { b.edit(session_, given, {30, 20}, {1, 1, 1}); }), MIEN_E_INVALID_ARGUMENT);
-    const Mesh small(session_, std::vector<Position>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, std::vector<Triangle>{{0, 1, 2}});
+    EXPECT_EQ(status_of([&] {
+                  b.edit(session_, given, {30, 20}, {1, 1, 1});
+              }),
+              MIEN_E_INVALID_ARGUMENT);
+    const Mesh small(session_, std::vector<Position>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+                     std::vector<Triangle>{{0, 1, 2}});
     EXPECT_EQ(status_of([&] { b.low(session_, small, 10); }), MIEN_E_MISMATCH);
     EXPECT_EQ(status_of([&] { SpectralBasis::load(session_, file("nothing")); }), MIEN_E_IO);
     mien_mesh* out = reinterpret_cast<mien_mesh*>(&out);
@@ -112,12 +122,14 @@ TEST_F(SpectralAbi, BuildingCanBeCancelled) {
     SpectralBasisOptions options;
     options.mode_count = 20;
     options.progress = [](int, double) { return false; };
-    EXPECT_EQ(status_of([&] { SpectralBasis::build(session_, face(session_, 15, 0), options); }), MIEN_E_CANCELLED);
+    EXPECT_EQ(status_of([&] { SpectralBasis::build(session_, face(session_, 15, 0), options); }),
+              MIEN_E_CANCELLED);
     Cancel cancel;
     cancel.request();
     options.progress = nullptr;
     options.cancel = cancel.get();
-    EXPECT_EQ(status_of([&] { SpectralBasis::build(session_, face(session_, 15, 0), options); }), MIEN_E_CANCELLED);
+    EXPECT_EQ(status_of([&] { SpectralBasis::build(session_, face(session_, 15, 0), options); }),
+              MIEN_E_CANCELLED);
 }
 
 TEST_F(SpectralAbi, MetricsTellFacesApart) {
@@ -141,19 +153,24 @@ TEST_F(SpectralAbi, RepresentationsHaveTheirInverse) {
         EXPECT_LT(largest_difference(back, given), kind <= 3 ? 1e-8 : 2.0) << kind;
         EXPECT_EQ(r.channel_count(), kind <= 3 ? 3u : 9u);
     }
-    const Representation r = Representation::train(session_, path, MIEN_FEATURES_DEFORMATION_NORMALISED, true);
+    const Representation r =
+        Representation::train(session_, path, MIEN_FEATURES_DEFORMATION_NORMALISED, true);
     r.save(session_, file("r.safetensors"));
-    EXPECT_EQ(Representation::load(session_, file("r.safetensors")).encode(session_, given), r.encode(session_, given));
+    EXPECT_EQ(Representation::load(session_, file("r.safetensors")).encode(session_, given),
+              r.encode(session_, given));
     double bent_motion[12] = {2, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
     const auto features = r.encode(session_, given);
     mien_mesh* out = nullptr;
-    EXPECT_EQ(mien_representation_decode(session_.get(), r.get(), features.data(), features.size() / 9, bent_motion,
-                                         &out, nullptr), MIEN_E_INVALID_ARGUMENT);
-    EXPECT_EQ(mien_representation_decode(session_.get(), r.get(), features.data(), 3, nullptr, &out, nullptr),
+    EXPECT_EQ(mien_representation_decode(session_.get(), r.get(), features.data(),
+                                         features.size() / 9, bent_motion, &out, nullptr),
+              MIEN_E_INVALID_ARGUMENT);
+    EXPECT_EQ(mien_representation_decode(session_.get(), r.get(), features.data(), 3, nullptr, &out,
+                                         nullptr),
               MIEN_E_MISMATCH);
     std::uint64_t count = 0;
     double untouched = 7;
-    EXPECT_EQ(mien_representation_encode(session_.get(), r.get(), given.get(), nullptr, &untouched, 1, &count, nullptr),
+    EXPECT_EQ(mien_representation_encode(session_.get(), r.get(), given.get(), nullptr, &untouched,
+                                         1, &count, nullptr),
               MIEN_E_BUFFER_TOO_SMALL);
     EXPECT_EQ(untouched, 7);
     EXPECT_EQ(count, std::uint64_t{(kCells + 1) * (kCells + 1)});
@@ -161,7 +178,8 @@ TEST_F(SpectralAbi, RepresentationsHaveTheirInverse) {
 
 TEST_F(SpectralAbi, HierarchiesMapUpAndDown) {
     const Mesh mesh = face(session_, 15, 0.5);
-    for (const Hierarchy& h : {Hierarchy::quadric(session_, mesh, 2, 3.0), Hierarchy::connectivity(session_, mesh, 2, 2, 1)}) {
+    for (const Hierarchy& h : {Hierarchy::quadric(session_, mesh, 2, 3.0),
+                               Hierarchy::connectivity(session_, mesh, 2, 2, 1)}) {
         ASSERT_EQ(h.level_count(), 3u);
         const std::size_t fine = h.level(0).vertex_count(), coarse = h.level(1).vertex_count();
         EXPECT_LT(coarse, fine);
@@ -169,7 +187,8 @@ TEST_F(SpectralAbi, HierarchiesMapUpAndDown) {
         ASSERT_EQ(down.size(), 2 * coarse);
         for (const double value : h.apply(1, MIEN_MAP_UP, down, 2)) EXPECT_NEAR(value, 3.0, 1e-12);
         h.save(session_, file("h.safetensors"));
-        EXPECT_EQ(Hierarchy::load(session_, file("h.safetensors")).level(2).vertex_count(), h.level(2).vertex_count());
+        EXPECT_EQ(Hierarchy::load(session_, file("h.safetensors")).level(2).vertex_count(),
+                  h.level(2).vertex_count());
         EXPECT_EQ(status_of([&] { h.apply(0, MIEN_MAP_UP, down, 2); }), MIEN_E_INVALID_ARGUMENT);
         EXPECT_EQ(status_of([&] { h.level(9); }), MIEN_E_INVALID_ARGUMENT);
     }
@@ -177,7 +196,8 @@ TEST_F(SpectralAbi, HierarchiesMapUpAndDown) {
 
 TEST_F(SpectralAbi, ExpressionsAreCarriedAndPredicted) {
     const Mesh neutral = face(session_, 15, 0), smile = face(session_, 17, 1);
-    EXPECT_LT(largest_difference(transfer_expression(session_, neutral, smile, neutral), smile), 1e-7);
+    EXPECT_LT(largest_difference(transfer_expression(session_, neutral, smile, neutral), smile),
+              1e-7);
     const std::string path = dataset();
     const BlendshapeModel model = BlendshapeModel::train(session_, path, "smile");
     const SpectralBasis b = SpectralBasis::build(session_, model.mean(), [] {
@@ -194,10 +214,14 @@ TEST_F(SpectralAbi, ExpressionsAreCarriedAndPredicted) {
     for (const auto& c : choices) chosen += c.chosen;
     EXPECT_EQ(chosen, 1);
     model.save(session_, file("m.safetensors"));
-    EXPECT_LT(largest_difference(BlendshapeModel::load(session_, file("m.safetensors")).predict(session_, new_neutral, nullptr, 1),
-                                 model.predict(session_, new_neutral, nullptr, 1)), 1e-9);
-    EXPECT_EQ(status_of([&] { BlendshapeModel::train(session_, path, "frown"); }), MIEN_E_NOT_FOUND);
-    EXPECT_EQ(status_of([&] { SpectralBasis::load(session_, file("m.safetensors")); }), MIEN_E_WRONG_KIND);
+    EXPECT_LT(largest_difference(BlendshapeModel::load(session_, file("m.safetensors"))
+                                     .predict(session_, new_neutral, nullptr, 1),
+                                 model.predict(session_, new_neutral, nullptr, 1)),
+              1e-9);
+    EXPECT_EQ(status_of([&] { BlendshapeModel::train(session_, path, "frown"); }),
+              MIEN_E_NOT_FOUND);
+    EXPECT_EQ(status_of([&] { SpectralBasis::load(session_, file("m.safetensors")); }),
+              MIEN_E_WRONG_KIND);
 }
 
 }  // namespace

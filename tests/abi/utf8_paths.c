@@ -1,5 +1,6 @@
-/* File names are UTF-8 on every machine, whatever its locale or code page: what the library writes under such a
- * name is found under the same name by the system's own functions, and read again by the library. */
+/* File names are UTF-8 on every machine, whatever its locale or code page: what the library writes
+ * under such a name is found under the same name by the system's own functions, and read again by
+ * the library. */
 #include <mien/mien.h>
 #include <stdio.h>
 #include <string.h>
@@ -8,8 +9,7 @@
 #define NAME "gesicht_\xc3\xa4_\xe9\xa1\x94_\xf0\x9f\x98\x80.ply"
 #define WIDE_NAME L"gesicht_\x00e4_\x9854_\xd83d\xde00.ply"
 
-static FILE *open_by_the_system(void)
-{
+static FILE* open_by_the_system(void) {
 #ifdef _WIN32
     return _wfopen(WIDE_NAME, L"rb");
 #else
@@ -17,8 +17,7 @@ static FILE *open_by_the_system(void)
 #endif
 }
 
-static void remove_by_the_system(void)
-{
+static void remove_by_the_system(void) {
 #ifdef _WIN32
     _wremove(WIDE_NAME);
 #else
@@ -26,17 +25,16 @@ static void remove_by_the_system(void)
 #endif
 }
 
-int main(void)
-{
+int main(void) {
     static const float positions[9] = {0, 0, 0, 10, 0, 0, 0, 10, 0};
     static const uint32_t triangles[3] = {0, 1, 2};
     mien_error error;
     mien_mesh_arrays arrays;
-    mien_session *session = NULL;
+    mien_session* session = NULL;
     mien_mesh *mesh = NULL, *again = NULL;
     uint64_t vertices = 0, faces = 0;
     char start[3] = "";
-    FILE *file;
+    FILE* file;
 
     memset(&error, 0, sizeof error);
     error.struct_size = sizeof error;
@@ -46,8 +44,10 @@ int main(void)
     arrays.positions.dtype = MIEN_DTYPE_F32;
     arrays.triangles = triangles;
     arrays.triangle_count = 1;
-    if (mien_session_create(MIEN_ABI_VERSION, &session, &error) || mien_mesh_create(session, &arrays, &mesh, &error) ||
-        mien_mesh_save(session, mesh, NAME, &error) || mien_mesh_load(session, NAME, &again, &error) ||
+    if (mien_session_create(MIEN_ABI_VERSION, &session, &error) ||
+        mien_mesh_create(session, &arrays, &mesh, &error) ||
+        mien_mesh_save(session, mesh, NAME, &error) ||
+        mien_mesh_load(session, NAME, &again, &error) ||
         mien_mesh_get_counts(again, &vertices, &faces, &error))
         printf("FAILED: %s\n", error.message);
     file = open_by_the_system();

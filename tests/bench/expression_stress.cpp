@@ -2,10 +2,11 @@
 //
 //   expression_stress TRAIN TEST MOUTH FACE
 //
-// TRAIN and TEST are data sets with the 20 expressions of FaceWarehouse, MOUTH and FACE files of vertex numbers
-// (one per line). Prints volume errors per zone against the untouched face (tables A.1 and 4.3), an expression
-// held out of training, a one-sided smile, half of the face unseen, and a series of four scans of one person;
-// and how often a face became worse than the input, with and without a warning.
+// TRAIN and TEST are data sets with the 20 expressions of FaceWarehouse, MOUTH and FACE files of
+// vertex numbers (one per line). Prints volume errors per zone against the untouched face (tables
+// A.1 and 4.3), an expression held out of training, a one-sided smile, half of the face unseen, and
+// a series of four scans of one person; and how often a face became worse than the input, with and
+// without a warning.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -48,7 +49,9 @@ class Without final : public ColumnSource {
             displacement_expression.push_back(all_->displacement_expression[place]);
         }
     }
-    void neutrals(Index begin, Eigen::Ref<Matrix> block) const override { all_->neutrals(begin, block); }
+    void neutrals(Index begin, Eigen::Ref<Matrix> block) const override {
+        all_->neutrals(begin, block);
+    }
     void displacements(Index begin, Eigen::Ref<Matrix> block) const override {
         for (Index k = 0; k < block.cols(); ++k)
             all_->displacements(kept_[static_cast<std::size_t>(begin + k)], block.middleCols(k, 1));
@@ -59,7 +62,9 @@ class Without final : public ColumnSource {
     std::vector<Index> kept_;
 };
 
-double mean_distance(const Points& a, const Points& b) { return (a - b).rowwise().norm().mean(); }
+double mean_distance(const Points& a, const Points& b) {
+    return (a - b).rowwise().norm().mean();
+}
 
 struct Sums {
     double before = 0, after = 0;
@@ -73,9 +78,12 @@ struct Sums {
         warned += warning;
     }
     void print(const char* name, const char* unit) const {
-        std::printf("  %-28s untouched %7.3f %s, neutralized %7.3f %s = %5.1f %%; worse than the input %d of %d, "
-                    "without a warning %d; warnings %d\n",
-                    name, before / count, unit, after / count, unit, 100 * after / before, worse, count, silent, warned);
+        std::printf(
+            "  %-28s untouched %7.3f %s, neutralized %7.3f %s = %5.1f %%; worse than the input %d "
+            "of %d, "
+            "without a warning %d; warnings %d\n",
+            name, before / count, unit, after / count, unit, 100 * after / before, worse, count,
+            silent, warned);
     }
 };
 
@@ -86,7 +94,10 @@ struct Coverage {
         inside += error <= 2.0 * deviation;
         count += 1;
     }
-    void print(const char* name) const { std::printf("  %s: %.1f %% within twice the stated deviation\n", name, 100 * inside / count); }
+    void print(const char* name) const {
+        std::printf("  %s: %.1f %% within twice the stated deviation\n", name,
+                    100 * inside / count);
+    }
 };
 
 }  // namespace
@@ -99,14 +110,17 @@ int main(int argc, char** argv) try {
     auto train = std::make_shared<FaceDataset>(FaceDataset::open(argv[1], {false, false}, context));
     const FaceDataset test = FaceDataset::open(argv[2], {}, context);
     const auto model = train_expression_model(train, {}, context);
-    const std::vector<Zone> mouth{{"mouth", numbers(argv[3])}}, face_zone{{"face", numbers(argv[4])}};
+    const std::vector<Zone> mouth{{"mouth", numbers(argv[3])}},
+        face_zone{{"face", numbers(argv[4])}};
     std::map<int, Points> neutral_of;
     Points face;
     for (Index k = 0; k < test.num_faces(); ++k)
-        if (test.expression(k) == test.neutral_expression()) test.face(k, neutral_of[test.subject(k)]);
+        if (test.expression(k) == test.neutral_expression())
+            test.face(k, neutral_of[test.subject(k)]);
     NeutralizeOptions stating;
     stating.uncertainty = true;
-    auto neutralized = [&](const ExpressionModel& with, const Points& vertices, const Vector& weights) {
+    auto neutralized = [&](const ExpressionModel& with, const Points& vertices,
+                           const Vector& weights) {
         return neutralize(context, with, vertices, weights, {}).neutral_vertices;
     };
     std::printf("expected residual %.3f mm\n", model->expected_residual_mm);
@@ -119,11 +133,13 @@ int main(int argc, char** argv) try {
         const Points& truth = neutral_of.at(test.subject(k));
         const NeutralizationResult result = neutralize(context, *model, face, Vector(), stating);
         const bool neutral = test.expression(k) == test.neutral_expression();
-        all_sums[neutral ? "neutral" : "expressions"].add(mean_distance(face, truth), mean_distance(result.neutral_vertices, truth),
-                                                          !neutralization_warnings(*model, result).empty());
+        all_sums[neutral ? "neutral" : "expressions"].add(
+            mean_distance(face, truth), mean_distance(result.neutral_vertices, truth),
+            !neutralization_warnings(*model, result).empty());
         if (!neutral)
             for (Index i = 0; i < face.rows(); i += 11)
-                coverage.add((result.neutral_vertices.row(i) - truth.row(i)).norm(), result.uncertainty_mm[i]);
+                coverage.add((result.neutral_vertices.row(i) - truth.row(i)).norm(),
+                             result.uncertainty_mm[i]);
     }
     for (const auto& [name, sums] : all_sums) sums.print(name.c_str(), "mm");
     coverage.print("expressions");
@@ -131,14 +147,18 @@ int main(int argc, char** argv) try {
     std::puts("absolute volume between face and true neutral face");
     std::map<std::string, Sums> mouth_sums, face_sums;
     for (Index k = 0; k < test.num_faces(); ++k) {
-        const std::string& name = test.expression_names()[static_cast<std::size_t>(test.expression(k))];
-        if (name != "mouth_stretch" && name != "grin" && name != "lip_funneler" && name != "cheek_blowing")
+        const std::string& name =
+            test.expression_names()[static_cast<std::size_t>(test.expression(k))];
+        if (name != "mouth_stretch" && name != "grin" && name != "lip_funneler" &&
+            name != "cheek_blowing")
             continue;
         test.face(k, face);
         const Points& truth = neutral_of.at(test.subject(k));
         const Points result = neutralized(*model, face, Vector());
         auto volume = [&](const Points& other, const std::vector<Zone>& zone) {
-            return measure_volume(truth, other, test.triangles(), zone, context).zones[0].volume.absolute_ml;
+            return measure_volume(truth, other, test.triangles(), zone, context)
+                .zones[0]
+                .volume.absolute_ml;
         };
         mouth_sums[name].add(volume(face, mouth), volume(result, mouth), false);
         face_sums[name].add(volume(face, face_zone), volume(result, face_zone), false);
@@ -150,7 +170,8 @@ int main(int argc, char** argv) try {
     int held = -1;
     for (std::size_t e = 0; e < train->expression_names().size(); ++e)
         if (train->expression_names()[e] == "lip_puckerer") held = static_cast<int>(e);
-    const auto partial = train_expression_model(Without(dataset_columns(train, {}), held), {}, context);
+    const auto partial =
+        train_expression_model(Without(dataset_columns(train, {}), held), {}, context);
     for (FitMethod method : {FitMethod::mixture, FitMethod::map}) {
         Sums sums;
         NeutralizeOptions options;
@@ -159,7 +180,8 @@ int main(int argc, char** argv) try {
             if (test.expression(k) != held) continue;
             test.face(k, face);
             const Points& truth = neutral_of.at(test.subject(k));
-            const NeutralizationResult result = neutralize(context, *partial, face, Vector(), options);
+            const NeutralizationResult result =
+                neutralize(context, *partial, face, Vector(), options);
             sums.add(mean_distance(face, truth), mean_distance(result.neutral_vertices, truth),
                      !neutralization_warnings(*partial, result).empty());
         }
@@ -173,18 +195,24 @@ int main(int argc, char** argv) try {
             NeutralizeOptions options;
             options.fit.method = method;
             for (Index k = 0; k < test.num_faces(); ++k) {
-                if (test.expression_names()[static_cast<std::size_t>(test.expression(k))] != name) continue;
+                if (test.expression_names()[static_cast<std::size_t>(test.expression(k))] != name)
+                    continue;
                 test.face(k, face);
                 const Points& truth = neutral_of.at(test.subject(k));
                 for (Index i = 0; i < face.rows(); ++i) {
-                    const double share = std::min(1.0, std::max(0.0, 0.5 + model->mean(i, 0) / 20.0));
-                    face.row(i) = truth.row(i) + share * share * (3.0 - 2.0 * share) * (face.row(i) - truth.row(i));
+                    const double share =
+                        std::min(1.0, std::max(0.0, 0.5 + model->mean(i, 0) / 20.0));
+                    face.row(i) = truth.row(i) + share * share * (3.0 - 2.0 * share) *
+                                                     (face.row(i) - truth.row(i));
                 }
-                const NeutralizationResult result = neutralize(context, *model, face, Vector(), options);
+                const NeutralizationResult result =
+                    neutralize(context, *model, face, Vector(), options);
                 sums.add(mean_distance(face, truth), mean_distance(result.neutral_vertices, truth),
                          !neutralization_warnings(*model, result).empty());
             }
-            sums.print((std::string(name) + (method == FitMethod::mixture ? ", mixture" : ", map")).c_str(), "mm");
+            sums.print((std::string(name) + (method == FitMethod::mixture ? ", mixture" : ", map"))
+                           .c_str(),
+                       "mm");
         }
 
     std::puts("the subject's right half unseen (weights zero, no coordinates)");
@@ -215,7 +243,8 @@ int main(int argc, char** argv) try {
             (weights[i] > 0 ? seen_coverage : unseen_coverage).add(after, whole.uncertainty_mm[i]);
         }
         seen_half.add(seen[0] / count, seen[1] / count, warning);
-        unseen_half.add(unseen[0] / (face.rows() - count), unseen[1] / (face.rows() - count), warning);
+        unseen_half.add(unseen[0] / (face.rows() - count), unseen[1] / (face.rows() - count),
+                        warning);
     }
     seen_half.print("seen half", "mm");
     unseen_half.print("unseen half (made up)", "mm");
@@ -229,7 +258,8 @@ int main(int argc, char** argv) try {
         for (Index first = 0; first + 20 <= test.num_faces(); first += 20) {
             std::vector<SeriesScan> scans;
             Points truth;
-            for (Index k : {Index(1), Index(2 + (first / 20) % 5), Index(9 + (first / 20) % 4), Index(17)}) {
+            for (Index k :
+                 {Index(1), Index(2 + (first / 20) % 5), Index(9 + (first / 20) % 4), Index(17)}) {
                 SeriesScan scan;
                 test.face(first + k, scan.vertices);
                 truth = neutral_of.at(test.subject(first));
@@ -238,11 +268,13 @@ int main(int argc, char** argv) try {
             }
             SeriesOptions options;
             options.scan_noise_share = share;
-            together += mean_distance(neutralize_series(context, *model, scans, options).identity_vertices, truth);
+            together += mean_distance(
+                neutralize_series(context, *model, scans, options).identity_vertices, truth);
             ++count;
         }
-        std::printf("  scan noise share %5.3f: each alone %.4f mm, series %.4f mm (%.1f %% lower)\n", share,
-                    alone / count, together / count, 100 * (1 - together / alone));
+        std::printf(
+            "  scan noise share %5.3f: each alone %.4f mm, series %.4f mm (%.1f %% lower)\n", share,
+            alone / count, together / count, 100 * (1 - together / alone));
     }
     return 0;
 } catch (const Error& error) {

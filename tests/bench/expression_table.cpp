@@ -5,8 +5,9 @@
 // FILE lists the vertex numbers of the stable zone (posture), one per line.
 //
 // Prints one block per training method: baseline, alternating (3 sweeps and converged), exact, map,
-// mixture; mean, worst expression, neutral input; Cohen's d and superiority over J-PCA with 3 sweeps;
-// the orthogonality score per number of components; times of training and of one neutralization.
+// mixture; mean, worst expression, neutral input; Cohen's d and superiority over J-PCA with 3
+// sweeps; the orthogonality score per number of components; times of training and of one
+// neutralization.
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -25,7 +26,8 @@ using namespace mien;
 namespace {
 
 double seconds() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
 }
 
 std::vector<std::uint32_t> numbers(const char* path) {
@@ -60,7 +62,8 @@ void print_table(const FaceDataset& data, const std::vector<Row>& rows) {
         std::printf("  %5.3f(%4.2f)", s.mean_mm, s.deviation_mm);
     }
     std::printf("\n%-16s", "max vertex");
-    for (const Row& row : rows) std::printf(" %12.2f", summarize_moved(row.errors, neutral).max_vertex_mm);
+    for (const Row& row : rows)
+        std::printf(" %12.2f", summarize_moved(row.errors, neutral).max_vertex_mm);
     auto moved = [&](const Row& row) {
         std::vector<double> values;
         for (std::size_t k = 0; k < row.errors.face.size(); ++k)
@@ -81,15 +84,19 @@ void print_table(const FaceDataset& data, const std::vector<Row>& rows) {
 }  // namespace
 
 int main(int argc, char** argv) try {
-    if (argc < 3) return std::puts("expression_table TRAIN TEST [--stable FILE] [--modes N] [--threads N]"), 2;
+    if (argc < 3)
+        return std::puts("expression_table TRAIN TEST [--stable FILE] [--modes N] [--threads N]"),
+               2;
     TrainOptions base;
     EvaluationOptions evaluation;
     int threads = 2;
     bool quick = false;  // joint PCA alone
     for (int k = 3; k + 1 < argc; k += 2) {
-        if (!std::strcmp(argv[k], "--stable")) base.stable_vertices = evaluation.stable = numbers(argv[k + 1]);
+        if (!std::strcmp(argv[k], "--stable"))
+            base.stable_vertices = evaluation.stable = numbers(argv[k + 1]);
         if (!std::strcmp(argv[k], "--modes"))
-            base.subspaces.identity_modes = base.subspaces.expression_modes = std::atoi(argv[k + 1]);
+            base.subspaces.identity_modes = base.subspaces.expression_modes =
+                std::atoi(argv[k + 1]);
         if (!std::strcmp(argv[k], "--quick")) quick = std::atoi(argv[k + 1]) != 0;
         if (!std::strcmp(argv[k], "--threads")) threads = std::atoi(argv[k + 1]);
     }
@@ -100,7 +107,8 @@ int main(int argc, char** argv) try {
     const FaceDataset test = FaceDataset::open(argv[2], {}, context);
 
     std::vector<Row> rows{{"baseline", evaluate_faces(context, test, evaluation, nullptr), 0.0}};
-    auto measure = [&](const ExpressionModel& model, const char* name, FitMethod method, int sweeps) {
+    auto measure = [&](const ExpressionModel& model, const char* name, FitMethod method,
+                       int sweeps) {
         EvaluationOptions options = evaluation;
         options.neutralize.fit.method = method;
         options.neutralize.fit.max_sweeps = sweeps;
@@ -114,7 +122,8 @@ int main(int argc, char** argv) try {
         TrainMethod method;
         double factor;
     };
-    for (const Kind& kind : {Kind{"J-PCA", TrainMethod::joint_pca, 10}, Kind{"QOJPCA 1x", TrainMethod::quasi_orthogonal, 1},
+    for (const Kind& kind : {Kind{"J-PCA", TrainMethod::joint_pca, 10},
+                             Kind{"QOJPCA 1x", TrainMethod::quasi_orthogonal, 1},
                              Kind{"QOJPCA 10x", TrainMethod::quasi_orthogonal, 10}}) {
         if (quick && kind.method != TrainMethod::joint_pca) continue;
         TrainOptions options = base;
@@ -124,10 +133,12 @@ int main(int argc, char** argv) try {
         const double begin = seconds();
         const std::clock_t cpu = std::clock();
         const auto model = train_expression_model(train, options, context, &report);
-        std::printf("%s: %.1f s (%.1f s of processor), %d iterations, last angle %.1e, noise map %g mixture %g\n",
-                    kind.name, seconds() - begin, double(std::clock() - cpu) / CLOCKS_PER_SEC,
-                    report.iterations, report.last_angle_rad, model->map_noise_mm2,
-                    model->mixture_noise_mm2);
+        std::printf(
+            "%s: %.1f s (%.1f s of processor), %d iterations, last angle %.1e, noise map %g "
+            "mixture %g\n",
+            kind.name, seconds() - begin, double(std::clock() - cpu) / CLOCKS_PER_SEC,
+            report.iterations, report.last_angle_rad, model->map_noise_mm2,
+            model->mixture_noise_mm2);
         std::printf("  orthogonality at 5, 10, ..:");
         for (Index k = 4; k < report.orthogonality.size(); k += 5)
             std::printf(" %.4f", report.orthogonality[k]);

@@ -4,10 +4,10 @@
 // blocks and by a plain loop of single heat solves with Eigen's sparse Cholesky.
 #include <sys/resource.h>
 
-#include <Eigen/SparseCholesky>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <Eigen/SparseCholesky>
 
 #include "base/error.hpp"
 #include "base/thread_pool.hpp"
@@ -44,7 +44,8 @@ class PlainHeat {
             for (int k = 0; k < 3; ++k) {
                 const int i = static_cast<int>(mesh_.triangles(t, (k + 1) % 3));
                 const int j = static_cast<int>(mesh_.triangles(t, (k + 2) % 3));
-                mass[static_cast<Index>(mesh_.triangles(t, k))] += mesh_.weights[t] * mesh_.double_area(t) / 6;
+                mass[static_cast<Index>(mesh_.triangles(t, k))] +=
+                    mesh_.weights[t] * mesh_.double_area(t) / 6;
                 const double w = 0.5 * mesh_.weights[t] * mesh_.cotangent(t, k);
                 entries.emplace_back(i, j, -w);
                 entries.emplace_back(j, i, -w);
@@ -66,8 +67,10 @@ class PlainHeat {
         start[source] = 1;
         const Vector u = heat_.solve(start);
         for (Index t = 0; t < mesh_.triangles.rows(); ++t) {
-            const double l2 = mesh_.lengths(t, 2), l1 = mesh_.lengths(t, 1), l0 = mesh_.lengths(t, 0);
-            const double x2 = ((l1 - l0) * (l1 + l0) + l2 * l2) / (2 * l2), doubled = mesh_.double_area(t);
+            const double l2 = mesh_.lengths(t, 2), l1 = mesh_.lengths(t, 1),
+                         l0 = mesh_.lengths(t, 0);
+            const double x2 = ((l1 - l0) * (l1 + l0) + l2 * l2) / (2 * l2),
+                         doubled = mesh_.double_area(t);
             const Eigen::Vector2d g1(doubled / l2 / doubled, -x2 / doubled), g2(0, l2 / doubled);
             const double u0 = u[mesh_.triangles(t, 0)];
             const Eigen::Vector2d gradient =
@@ -101,18 +104,20 @@ void accuracy(const Context& context) {
         }
         worst_mean = std::max(worst_mean, sum / static_cast<double>(d.size()));
     }
-    std::printf("unit sphere, %lld vertices, 13 sources: largest mean error %.4f, largest error %.4f\n",
-                static_cast<long long>(sphere.vertices.rows()), worst_mean, worst);
+    std::printf(
+        "unit sphere, %lld vertices, 13 sources: largest mean error %.4f, largest error %.4f\n",
+        static_cast<long long>(sphere.vertices.rows()), worst_mean, worst);
 }
 
 void speed(const TriMesh& mesh, const Context& context) {
     double start = seconds(), cpu = cpu_seconds();
     const HeatGeodesics heat(mesh.vertices, mesh.triangles, {}, context);
-    std::printf("factorisation %.3f s (cpu %.3f), %lld vertices\n", seconds() - start, cpu_seconds() - cpu,
-                static_cast<long long>(mesh.vertices.rows()));
+    std::printf("factorisation %.3f s (cpu %.3f), %lld vertices\n", seconds() - start,
+                cpu_seconds() - cpu, static_cast<long long>(mesh.vertices.rows()));
     std::vector<std::uint32_t> sources;
     for (std::uint64_t k = 0; k < 1000; ++k)
-        sources.push_back(static_cast<std::uint32_t>(k * static_cast<std::uint64_t>(mesh.vertices.rows()) / 1000));
+        sources.push_back(static_cast<std::uint32_t>(
+            k * static_cast<std::uint64_t>(mesh.vertices.rows()) / 1000));
     Eigen::MatrixXf out = Eigen::MatrixXf::Zero(mesh.vertices.rows(), 1000);
     start = seconds();
     cpu = cpu_seconds();
@@ -124,12 +129,16 @@ void speed(const TriMesh& mesh, const Context& context) {
     double difference = 0;
     for (std::size_t k = 0; k < sources.size(); ++k) {
         const Vector d = plain.distances_from(sources[k]);
-        difference = std::max(difference, (d.cast<float>() - out.col(static_cast<Index>(k))).cwiseAbs().maxCoeff() + 0.0);
+        difference = std::max(
+            difference,
+            (d.cast<float>() - out.col(static_cast<Index>(k))).cwiseAbs().maxCoeff() + 0.0);
     }
     const double loop = seconds() - start, loop_cpu = cpu_seconds() - cpu;
-    std::printf("1000 sources: blocks %.2f s (cpu %.2f), loop %.2f s (cpu %.2f): %.1f times, %.1f times in cpu; "
-                "largest difference %.1e mm\n",
-                blocks, blocks_cpu, loop, loop_cpu, loop / blocks, loop_cpu / blocks_cpu, difference);
+    std::printf(
+        "1000 sources: blocks %.2f s (cpu %.2f), loop %.2f s (cpu %.2f): %.1f times, %.1f times in "
+        "cpu; "
+        "largest difference %.1e mm\n",
+        blocks, blocks_cpu, loop, loop_cpu, loop / blocks, loop_cpu / blocks_cpu, difference);
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 // Kernels in numbers: model_kernels TEMPLATE.ply FACES.safetensors
 //
 // FACES: a dataset in the template's correspondence with several expressions (it may cover only the
-// template's first vertices). Prints, as Markdown, what each model costs and the residuals of fits with
-// known correspondence in the layout of the thesis (figure 2.12).
+// template's first vertices). Prints, as Markdown, what each model costs and the residuals of fits
+// with known correspondence in the layout of the thesis (figure 2.12).
 #include <sys/resource.h>
 
 #include <chrono>
@@ -78,14 +78,17 @@ Column residuals_of(const TriMesh& mesh, const FaceDataset& faces, const KernelT
         for (const double r : residuals) mean += r / static_cast<double>(residuals.size());
         for (const double r : residuals) squares += (r - mean) * (r - mean);
         column.mean.push_back(mean);
-        column.sd.push_back(std::sqrt(squares / std::max(1.0, static_cast<double>(residuals.size()) - 1)));
+        column.sd.push_back(
+            std::sqrt(squares / std::max(1.0, static_cast<double>(residuals.size()) - 1)));
     }
     return column;
 }
 
 void table(const TriMesh& mesh, const FaceDataset& faces, const Context& context) {
-    std::printf("\nTuning: one neutral and one mouth_stretch face, residual norm in mm, rho 5, 999 modes.\n\n"
-                "| kernel | residual at sigma (mm) | best |\n|---|---|---|\n");
+    std::printf(
+        "\nTuning: one neutral and one mouth_stretch face, residual norm in mm, rho 5, 999 "
+        "modes.\n\n"
+        "| kernel | residual at sigma (mm) | best |\n|---|---|---|\n");
     std::vector<Column> columns;
     std::vector<double> best;
     for (const Candidate& candidate : candidates()) {
@@ -95,7 +98,8 @@ void table(const TriMesh& mesh, const FaceDataset& faces, const Context& context
         options.faces = select_faces(faces, {"neutral", "mouth_stretch"}, 1);
         const TuneReport report = tune_kernel(mesh, faces, options, context);
         std::printf("| %s |", kernel_name(candidate.kind));
-        for (const TunePoint& point : report.points) std::printf(" %g: %.1f", point.sigma_mm, point.residual_mean);
+        for (const TunePoint& point : report.points)
+            std::printf(" %g: %.1f", point.sigma_mm, point.residual_mean);
         best.push_back(report.points[report.best].sigma_mm);
         std::printf(" | %g |\n", best.back());
         KernelTerm term;
@@ -104,15 +108,18 @@ void table(const TriMesh& mesh, const FaceDataset& faces, const Context& context
         columns.push_back(residuals_of(mesh, faces, term, context));
         std::fflush(stdout);
     }
-    std::printf("\nResidual norm in mm, mean and standard deviation over %lld subjects.\n\n| pose |",
-                static_cast<long long>(faces.num_faces()) /
-                    static_cast<long long>(faces.expression_names().size()));
-    for (std::size_t k = 0; k < columns.size(); ++k) std::printf(" %s mean | std |", candidates()[k].title);
+    std::printf(
+        "\nResidual norm in mm, mean and standard deviation over %lld subjects.\n\n| pose |",
+        static_cast<long long>(faces.num_faces()) /
+            static_cast<long long>(faces.expression_names().size()));
+    for (std::size_t k = 0; k < columns.size(); ++k)
+        std::printf(" %s mean | std |", candidates()[k].title);
     std::printf("\n|---|");
     for (std::size_t k = 0; k < columns.size(); ++k) std::printf("---:|---:|");
     for (std::size_t e = 0; e < faces.expression_names().size(); ++e) {
         std::printf("\n| %s |", faces.expression_names()[e].c_str());
-        for (const Column& column : columns) std::printf(" %.1f | %.1f |", column.mean[e], column.sd[e]);
+        for (const Column& column : columns)
+            std::printf(" %.1f | %.1f |", column.mean[e], column.sd[e]);
     }
     std::printf("\n| all |");
     for (const Column& column : columns) {
@@ -126,18 +133,21 @@ void table(const TriMesh& mesh, const FaceDataset& faces, const Context& context
 }
 
 void costs(const TriMesh& mesh, const Context& context) {
-    std::printf("\n| kernel, 999 modes, %lld vertices | seconds | cpu s | scalar modes | variance explained | "
-                "largest error | clipped mass |\n|---|---:|---:|---:|---:|---:|---:|\n",
-                static_cast<long long>(mesh.vertices.rows()));
+    std::printf(
+        "\n| kernel, 999 modes, %lld vertices | seconds | cpu s | scalar modes | variance "
+        "explained | "
+        "largest error | clipped mass |\n|---|---:|---:|---:|---:|---:|---:|\n",
+        static_cast<long long>(mesh.vertices.rows()));
     for (const Candidate& candidate : candidates()) {
         ModelOptions options;
         options.kernels[0].kind = candidate.kind;
         if (candidate.kind == KernelKind::bspline) options.kernels[0].sigma_mm = 60;
         const double start = seconds(), cpu = cpu_seconds();
         const LowRankReport report = build_deformation_model(mesh, {}, {}, options, context).report;
-        std::printf("| %s | %.2f | %.2f | %lld | %.4f | %.3f | %.2e |\n", kernel_name(candidate.kind),
-                    seconds() - start, cpu_seconds() - cpu, static_cast<long long>(report.rank),
-                    report.variance_explained, report.max_variance_error, report.negative_mass);
+        std::printf("| %s | %.2f | %.2f | %lld | %.4f | %.3f | %.2e |\n",
+                    kernel_name(candidate.kind), seconds() - start, cpu_seconds() - cpu,
+                    static_cast<long long>(report.rank), report.variance_explained,
+                    report.max_variance_error, report.negative_mass);
         std::fflush(stdout);
     }
     std::printf("\npeak memory %ld MB\n", peak_megabytes());

@@ -28,7 +28,8 @@ double cpu_seconds() {
 // Processor seconds between the calls of progress, by what the registration does there.
 struct StageClock {
     static constexpr int kStages = 5;
-    static constexpr const char* kNames[kStages] = {"scan: cleaning, tree, normals", "start", "fit", "closing the gap",
+    static constexpr const char* kNames[kStages] = {"scan: cleaning, tree, normals", "start", "fit",
+                                                    "closing the gap",
                                                     "repair, confidence, verdict"};
     double seconds[kStages] = {}, last = cpu_seconds();
     int now = 0;
@@ -42,7 +43,8 @@ struct StageClock {
     static std::int32_t listen(void* clock, std::int32_t stage, double fraction) {
         const bool done = fraction >= 1;
         int now = 4;
-        if (stage == static_cast<std::int32_t>(Stage::alignment)) now = fraction < 0.1 ? 0 : done ? 2 : 1;
+        if (stage == static_cast<std::int32_t>(Stage::alignment))
+            now = fraction < 0.1 ? 0 : done ? 2 : 1;
         if (stage == static_cast<std::int32_t>(Stage::fitting)) now = done ? 3 : 2;
         if (stage == static_cast<std::int32_t>(Stage::refining)) now = done ? 4 : 3;
         static_cast<StageClock*>(clock)->enter(now);
@@ -54,7 +56,8 @@ struct StageClock {
 
 int main(int argc, char** argv) {
     if (argc != 4) {
-        std::fprintf(stderr, "usage: registration_speed MODEL.safetensors SCAN.ply LANDMARKS.json\n");
+        std::fprintf(stderr,
+                     "usage: registration_speed MODEL.safetensors SCAN.ply LANDMARKS.json\n");
         return 2;
     }
     try {
@@ -77,13 +80,15 @@ int main(int argc, char** argv) {
             const double start = cpu_seconds();
             places[portable] = register_scan(*model, scan, landmarks, {}, context).fitted.vertices;
             clock.enter(4);
-            if (clock.last - start < least[portable]) least[portable] = clock.last - start, best[portable] = clock;
+            if (clock.last - start < least[portable])
+                least[portable] = clock.last - start, best[portable] = clock;
         }
         std::printf("%-30s %9s %9s\n", "one thread, best of five, s", "portable", "AVX2");
         const auto row = [](const char* name, double portable, double fast) {
             std::printf("%-30s %9.3f %9.3f  %.2f times\n", name, portable, fast, portable / fast);
         };
-        for (int s = 0; s < StageClock::kStages; ++s) row(StageClock::kNames[s], best[1].seconds[s], best[0].seconds[s]);
+        for (int s = 0; s < StageClock::kStages; ++s)
+            row(StageClock::kNames[s], best[1].seconds[s], best[0].seconds[s]);
         row("all", least[1], least[0]);
         const Vector apart = (places[0] - places[1]).rowwise().norm();
         std::printf("%.2g mm apart, at most %.2g\n", apart.mean(), apart.maxCoeff());

@@ -1,7 +1,8 @@
-// Figures 4.2 to 4.5: what k modes leave out, with and without the mass matrix, on neutral faces; and
-// the time to project and assemble one face.
+// Figures 4.2 to 4.5: what k modes leave out, with and without the mass matrix, on neutral faces;
+// and the time to project and assemble one face.
 //   spectral_bands DATASET [FACES [MODES [VERTICES [PICTURE.png]]]]
-// VERTICES refines the mean for the timing alone (0: no timing). The picture shows greatest against mean error.
+// VERTICES refines the mean for the timing alone (0: no timing). The picture shows greatest against
+// mean error.
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -14,7 +15,10 @@
 
 int main(int argc, char** argv) {
     using namespace mien;
-    if (argc < 2) return std::fprintf(stderr, "usage: %s DATASET [FACES [MODES [VERTICES [PICTURE.png]]]]\n", argv[0]), 2;
+    if (argc < 2)
+        return std::fprintf(stderr, "usage: %s DATASET [FACES [MODES [VERTICES [PICTURE.png]]]]\n",
+                            argv[0]),
+               2;
     try {
         ThreadPool pool(2);
         Context context, serial;
@@ -43,8 +47,11 @@ int main(int argc, char** argv) {
             std::fprintf(stderr, "%ld modes %s mass: %.1f s cpu\n", static_cast<long>(modes),
                          with_mass ? "with" : "without", bench::cpu_seconds() - cpu);
         }
-        const Index ks[] = {50, 100, 150, 200, 250, 300, 350, 400, 500, 600, 700, 900, 1000, 1200, 1500, 1700, 2000};
-        std::printf("# %zu faces, L1 in mm: k, mean and greatest with mass, mean and greatest without\n", faces.size());
+        const Index ks[] = {50,  100, 150, 200,  250,  300,  350,  400, 500,
+                            600, 700, 900, 1000, 1200, 1500, 1700, 2000};
+        std::printf(
+            "# %zu faces, L1 in mm: k, mean and greatest with mass, mean and greatest without\n",
+            faces.size());
         cli::Curve curves[2];
         curves[0].label = "with mass matrix";
         curves[1].label = "without";
@@ -54,7 +61,8 @@ int main(int argc, char** argv) {
             for (const Index f : faces) {
                 data.face(f, face);
                 for (int b = 0; b < 2; ++b) {
-                    const Vector error = (low_band(*bases[b], face, k, context) - face).cwiseAbs().rowwise().sum();
+                    const Vector error =
+                        (low_band(*bases[b], face, k, context) - face).cwiseAbs().rowwise().sum();
                     average[b] += error.mean() / static_cast<double>(faces.size());
                     greatest[b] += error.maxCoeff() / static_cast<double>(faces.size());
                 }
@@ -63,8 +71,8 @@ int main(int argc, char** argv) {
                 curves[b].x.push_back(average[b]);
                 curves[b].y.push_back(greatest[b]);
             }
-            std::printf("%5ld  %.5f %.5f  %.5f %.5f\n", static_cast<long>(k), average[0], greatest[0], average[1],
-                        greatest[1]);
+            std::printf("%5ld  %.5f %.5f  %.5f %.5f\n", static_cast<long>(k), average[0],
+                        greatest[0], average[1], greatest[1]);
             std::fflush(stdout);
         }
         if (argc > 5) {
@@ -72,7 +80,8 @@ int main(int argc, char** argv) {
             plot.title = "what the low band leaves out";
             plot.x_label = "mean error, mm";
             plot.y_label = "greatest error, mm";
-            std::ofstream(argv[5], std::ios::binary) << cli::encode_png(cli::draw_plot({curves[0], curves[1]}, plot));
+            std::ofstream(argv[5], std::ios::binary)
+                << cli::encode_png(cli::draw_plot({curves[0], curves[1]}, plot));
         }
         if (argc > 4 && std::atol(argv[4]) > 0) {
             const TriMesh fine = bench::refined(mean, std::atol(argv[4]));
@@ -93,10 +102,13 @@ int main(int argc, char** argv) {
                     best_of(synthesis, [&] { synthesise(*basis, coefficients, 0, *c); });
                     best_of(assembly, [&] { assemble(*basis, fine.vertices, moved, 500, *c); });
                 }
-                std::printf("# one face, %ld vertices, 500 modes, %s, wall, best of 50: projection %.1f ms, synthesis "
-                            "%.1f ms, two faces assembled %.1f ms\n", static_cast<long>(fine.vertices.rows()),
-                            c == &serial ? "1 thread" : "2 threads", 1e3 * projection, 1e3 * synthesis,
-                            1e3 * assembly);
+                std::printf(
+                    "# one face, %ld vertices, 500 modes, %s, wall, best of 50: projection %.1f "
+                    "ms, synthesis "
+                    "%.1f ms, two faces assembled %.1f ms\n",
+                    static_cast<long>(fine.vertices.rows()),
+                    c == &serial ? "1 thread" : "2 threads", 1e3 * projection, 1e3 * synthesis,
+                    1e3 * assembly);
             }
         }
     } catch (const std::exception& error) {

@@ -1,7 +1,7 @@
 // Table 5.2 and figure 5.8 in numbers: deformation transfer against the banded regression.
-//   spectral_blendshapes DATASET TRAIN_SUBJECTS EXPRESSION... 
-// The first TRAIN_SUBJECTS subjects train (the last eighth of them chooses k and is then trained with),
-// the others test. Transfer takes three training subjects as sources and reports their mean.
+//   spectral_blendshapes DATASET TRAIN_SUBJECTS EXPRESSION...
+// The first TRAIN_SUBJECTS subjects train (the last eighth of them chooses k and is then trained
+// with), the others test. Transfer takes three training subjects as sources and reports their mean.
 #include <cstdio>
 #include <cstdlib>
 #include <map>
@@ -29,15 +29,16 @@ struct Errors {
         ++count;
     }
     void print(const char* name) const {
-        std::printf("  %-22s L1 %.4f mm  L2 %.4f mm  DAME %.5f  FMPD %.5f\n", name, l1 / count, l2 / count,
-                    dame_ / count, fmpd_ / count);
+        std::printf("  %-22s L1 %.4f mm  L2 %.4f mm  DAME %.5f  FMPD %.5f\n", name, l1 / count,
+                    l2 / count, dame_ / count, fmpd_ / count);
     }
 };
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc < 4) return std::fprintf(stderr, "usage: %s DATASET TRAIN EXPRESSION...\n", argv[0]), 2;
+    if (argc < 4)
+        return std::fprintf(stderr, "usage: %s DATASET TRAIN EXPRESSION...\n", argv[0]), 2;
     try {
         ThreadPool pool(2);
         Context context;
@@ -48,7 +49,8 @@ int main(int argc, char** argv) {
         std::vector<int> subjects;
         for (Index k = 0; k < data.num_faces(); ++k) {
             place[{data.subject(k), data.expression(k)}] = k;
-            if (data.expression(k) == data.neutral_expression()) subjects.push_back(data.subject(k));
+            if (data.expression(k) == data.neutral_expression())
+                subjects.push_back(data.subject(k));
         }
         std::shared_ptr<const SpectralBasis> basis;
         for (int a = 3; a < argc; ++a) {
@@ -67,26 +69,33 @@ int main(int argc, char** argv) {
             };
             const int inner = num_train - num_train / 8;
             double start = bench::cpu_seconds();
-            const auto tuning = BlendshapeModel::train(data.triangles(), pairs(0, inner), {}, context);
+            const auto tuning =
+                BlendshapeModel::train(data.triangles(), pairs(0, inner), {}, context);
             if (!basis) {
                 SpectralBasisOptions options;
                 options.num_modes = 1000;
                 basis = build_spectral_basis(tuning->mean(), options, context);
             }
-            const std::vector<Index> candidates = {0, 10, 20, 50, 100, 200, 300, 500, 700, 1000, 1000000};
-            const auto choices = search_band_limit(*tuning, *basis, pairs(inner, num_train), candidates, context);
+            const std::vector<Index> candidates = {0,   10,  20,  50,   100,    200,
+                                                   300, 500, 700, 1000, 1000000};
+            const auto choices =
+                search_band_limit(*tuning, *basis, pairs(inner, num_train), candidates, context);
             Index k = 0;
             std::printf("%s: Pareto search on %d subjects\n", argv[a], num_train - inner);
             for (const BandChoice& c : choices) {
-                std::printf("  k %7ld  L1 %.4f  DAME %.5f  FMPD %.5f%s%s\n", static_cast<long>(c.k), c.l1_mm,
-                            c.dame, c.fmpd, c.on_front ? "  front" : "", c.chosen ? "  chosen" : "");
+                std::printf("  k %7ld  L1 %.4f  DAME %.5f  FMPD %.5f%s%s\n", static_cast<long>(c.k),
+                            c.l1_mm, c.dame, c.fmpd, c.on_front ? "  front" : "",
+                            c.chosen ? "  chosen" : "");
                 if (c.chosen) k = c.k > basis->num_modes() ? basis->num_vertices() : c.k;
             }
-            const auto model = BlendshapeModel::train(data.triangles(), pairs(0, num_train), {}, context);
-            std::printf("  ridges %.3g %.3g; training and search %.1f s cpu\n", model->spatial_ridge(),
-                        model->differential_ridge(), bench::cpu_seconds() - start);
+            const auto model =
+                BlendshapeModel::train(data.triangles(), pairs(0, num_train), {}, context);
+            std::printf("  ridges %.3g %.3g; training and search %.1f s cpu\n",
+                        model->spatial_ridge(), model->differential_ridge(),
+                        bench::cpu_seconds() - start);
             Errors none, transfer, spatial, differential, banded;
-            const FacePairs test = pairs(num_train, static_cast<int>(subjects.size())), train = pairs(0, num_train);
+            const FacePairs test = pairs(num_train, static_cast<int>(subjects.size())),
+                            train = pairs(0, num_train);
             TriMesh truth, neutral;
             truth.triangles = neutral.triangles = data.triangles();
             Points source_neutral, source_face;
@@ -111,7 +120,8 @@ int main(int argc, char** argv) {
             banded.print("regression, banded");
             std::printf("  L1 lowered by %.1f %%, DAME %s (%.5f against %.5f)\n",
                         100 * (1 - banded.l1 / banded.count / (transfer.l1 / transfer.count)),
-                        banded.dame_ / banded.count <= transfer.dame_ / transfer.count ? "no worse" : "worse",
+                        banded.dame_ / banded.count <= transfer.dame_ / transfer.count ? "no worse"
+                                                                                       : "worse",
                         banded.dame_ / banded.count, transfer.dame_ / transfer.count);
             std::fflush(stdout);
         }

@@ -10,7 +10,8 @@
 
 int main(int argc, char** argv) {
     using namespace mien;
-    if (argc < 2) return std::fprintf(stderr, "usage: %s MESH [K [VERTICES [THREADS]]]\n", argv[0]), 2;
+    if (argc < 2)
+        return std::fprintf(stderr, "usage: %s MESH [K [VERTICES [THREADS]]]\n", argv[0]), 2;
     const Index k = argc > 2 ? std::atol(argv[2]) : 500;
     const Index vertices = argc > 3 ? std::atol(argv[3]) : 0;
     const int threads = argc > 4 ? std::atoi(argv[4]) : 1;
@@ -32,12 +33,15 @@ int main(int argc, char** argv) {
         const Matrix weighted = laplace.mass.asDiagonal() * pairs.vectors;
         Matrix gram = pairs.vectors.transpose() * weighted;
         gram.diagonal().array() -= 1.0;
-        const Matrix residual = laplace.stiffness * pairs.vectors -
-                                weighted * pairs.values.asDiagonal();
+        const Matrix residual =
+            laplace.stiffness * pairs.vectors - weighted * pairs.values.asDiagonal();
         std::printf("lambda %.6g .. %.6g  max |U'MU - I| %.3g  max residual / lambda_k %.3g\n",
                     pairs.values[0], pairs.values[k - 1], gram.cwiseAbs().maxCoeff(),
                     (laplace.mass.cwiseSqrt().cwiseInverse().asDiagonal() * residual)
-                            .colwise().norm().maxCoeff() / pairs.values[k - 1]);
+                            .colwise()
+                            .norm()
+                            .maxCoeff() /
+                        pairs.values[k - 1]);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return 1;

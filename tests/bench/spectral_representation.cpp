@@ -17,13 +17,16 @@ using namespace mien;
 /// Deviation of the edge lengths from the mean of both ends, in %: mean and median of the relative
 /// ones, and sum of the absolute ones over the sum of lengths. Only edges whose ends move by
 /// `least_mm` or more from a to b count.
-Vector3 edge_error(const EdgeTable& edges, const Points& a, const Points& b, const Points& x, double least_mm) {
+Vector3 edge_error(const EdgeTable& edges, const Points& a, const Points& b, const Points& x,
+                   double least_mm) {
     double sum = 0, absolute = 0, total = 0;
     std::vector<double> relative;
     for (const auto& e : edges.edges) {
-        const double wanted = 0.5 * ((a.row(e[0]) - a.row(e[1])).norm() + (b.row(e[0]) - b.row(e[1])).norm());
+        const double wanted =
+            0.5 * ((a.row(e[0]) - a.row(e[1])).norm() + (b.row(e[0]) - b.row(e[1])).norm());
         const double length = (x.row(e[0]) - x.row(e[1])).norm();
-        if ((a.row(e[0]) - b.row(e[0])).norm() < least_mm || (a.row(e[1]) - b.row(e[1])).norm() < least_mm)
+        if ((a.row(e[0]) - b.row(e[0])).norm() < least_mm ||
+            (a.row(e[1]) - b.row(e[1])).norm() < least_mm)
             continue;
         relative.push_back(std::abs(length / wanted - 1));
         sum += relative.back();
@@ -60,9 +63,11 @@ int main(int argc, char** argv) {
             worst = std::max(worst, (aligned - face).rowwise().norm().maxCoeff());
             largest = std::max(largest, features.cwiseAbs().maxCoeff());
         }
-        std::printf("%ld faces: largest round-trip error %.3g mm, largest feature %.3g, encode %.1f ms, "
-                    "decode %.1f ms cpu\n", static_cast<long>(data.num_faces()), worst, largest,
-                    1e3 * encode / data.num_faces(), 1e3 * decode / data.num_faces());
+        std::printf(
+            "%ld faces: largest round-trip error %.3g mm, largest feature %.3g, encode %.1f ms, "
+            "decode %.1f ms cpu\n",
+            static_cast<long>(data.num_faces()), worst, largest, 1e3 * encode / data.num_faces(),
+            1e3 * decode / data.num_faces());
         const char* names[] = {argc > 4 ? argv[3] : "neutral", argc > 4 ? argv[4] : "jaw_open"};
         int numbers[2] = {-1, -1};
         for (int i = 0; i < 2; ++i)
@@ -87,7 +92,8 @@ int main(int argc, char** argv) {
                     own.vertices = a;
                     const DeformationRepresentation own_dr(own, context);
                     const Points half[] = {
-                        0.5 * (a + b), dr.decode(0.5 * (dr.encode(a, context) + dr.encode(b, context)), context),
+                        0.5 * (a + b),
+                        dr.decode(0.5 * (dr.encode(a, context) + dr.encode(b, context)), context),
                         own_dr.decode(0.5 * own_dr.encode(b, context), context)};
                     for (int k = 0; k < 3; ++k) {
                         all.col(k) += edge_error(edges, a, b, half[k], 0);
@@ -101,13 +107,16 @@ int main(int argc, char** argv) {
                         write_mesh_file("half_euclidean.ply", out, context);
                     }
                 }
-        std::printf("half-way %s - %s, %d subjects: deviation of the edges from the mean of both lengths, %%: mean, "
-                    "median, sum over length; all edges | edges that move by 2 mm or more\n", names[0], names[1], count);
+        std::printf(
+            "half-way %s - %s, %d subjects: deviation of the edges from the mean of both lengths, "
+            "%%: mean, "
+            "median, sum over length; all edges | edges that move by 2 mm or more\n",
+            names[0], names[1], count);
         const char* titles[] = {"euclidean", "DR on the mean shape", "DR on the first face"};
         for (int k = 0; k < 3; ++k)
-            std::printf("  %-22s %.4f  %.4f  %.4f | %.4f  %.4f  %.4f\n", titles[k], all(0, k) / count,
-                        all(1, k) / count, all(2, k) / count, moving(0, k) / count, moving(1, k) / count,
-                        moving(2, k) / count);
+            std::printf("  %-22s %.4f  %.4f  %.4f | %.4f  %.4f  %.4f\n", titles[k],
+                        all(0, k) / count, all(1, k) / count, all(2, k) / count,
+                        moving(0, k) / count, moving(1, k) / count, moving(2, k) / count);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return 1;

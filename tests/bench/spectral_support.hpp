@@ -33,8 +33,7 @@ inline TriMesh refined(const TriMesh& mesh, Index num_vertices) {
     for (Index v = 0; v < mesh.vertices.rows(); ++v) points.push_back(mesh.vertices.row(v));
     std::vector<std::array<std::uint32_t, 3>> triangles;
     for (Index f = 0; f < mesh.triangles.rows(); ++f)
-        triangles.push_back(
-            {mesh.triangles(f, 0), mesh.triangles(f, 1), mesh.triangles(f, 2)});
+        triangles.push_back({mesh.triangles(f, 0), mesh.triangles(f, 1), mesh.triangles(f, 2)});
     using Edge = std::pair<std::uint32_t, std::uint32_t>;
     std::map<Edge, std::vector<std::size_t>> around;
     std::priority_queue<std::pair<double, Edge>> longest;

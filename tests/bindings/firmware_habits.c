@@ -1,6 +1,6 @@
-/* What an embedded host asks of a library: it can be loaded and unloaded for ever, works on small stacks,
- * under a foreign decimal point and with an empty environment, prints nothing, starts no thread that was
- * not asked for, writes no file, needs no disk, and keeps its memory budget. */
+/* What an embedded host asks of a library: it can be loaded and unloaded for ever, works on small
+ * stacks, under a foreign decimal point and with an empty environment, prints nothing, starts no
+ * thread that was not asked for, writes no file, needs no disk, and keeps its memory budget. */
 #include <dirent.h>
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -17,8 +17,7 @@
 static int faults = 0;
 static int report; /* where this program itself prints */
 
-static void check(int good, const char *what)
-{
+static void check(int good, const char* what) {
     if (good) return;
     ++faults;
     dprintf(report, "FAILED: %s\n", what);
@@ -26,22 +25,25 @@ static void check(int good, const char *what)
 
 /* The few functions that this host uses, looked up by name as a plug-in host does. */
 typedef struct {
-    mien_status(MIEN_CALL *session_create)(uint32_t, const mien_session_options *, mien_session **, mien_error *);
-    void(MIEN_CALL *session_options_init)(mien_session_options *, size_t);
-    void(MIEN_CALL *session_release)(mien_session *);
-    void(MIEN_CALL *arrays_init)(mien_mesh_arrays *, size_t);
-    mien_status(MIEN_CALL *mesh_create)(mien_session *, const mien_mesh_arrays *, mien_mesh **, mien_error *);
-    void(MIEN_CALL *mesh_release)(mien_mesh *);
-    void(MIEN_CALL *model_options_init)(mien_model_options *, size_t);
-    mien_status(MIEN_CALL *model_build)(mien_session *, const mien_mesh *, const mien_model_options *, mien_model **, mien_error *);
-    mien_status(MIEN_CALL *model_json)(const mien_model *, char *, uint64_t, uint64_t *, mien_error *);
-    void(MIEN_CALL *model_release)(mien_model *);
+    mien_status(MIEN_CALL* session_create)(uint32_t, const mien_session_options*, mien_session**,
+                                           mien_error*);
+    void(MIEN_CALL* session_options_init)(mien_session_options*, size_t);
+    void(MIEN_CALL* session_release)(mien_session*);
+    void(MIEN_CALL* arrays_init)(mien_mesh_arrays*, size_t);
+    mien_status(MIEN_CALL* mesh_create)(mien_session*, const mien_mesh_arrays*, mien_mesh**,
+                                        mien_error*);
+    void(MIEN_CALL* mesh_release)(mien_mesh*);
+    void(MIEN_CALL* model_options_init)(mien_model_options*, size_t);
+    mien_status(MIEN_CALL* model_build)(mien_session*, const mien_mesh*, const mien_model_options*,
+                                        mien_model**, mien_error*);
+    mien_status(MIEN_CALL* model_json)(const mien_model*, char*, uint64_t, uint64_t*, mien_error*);
+    void(MIEN_CALL* model_release)(mien_model*);
 } api;
 
-#define FIND(field, name) (*(void **)&found.field = dlsym(library, name), check(found.field != NULL, name))
+#define FIND(field, name) \
+    (*(void**)& found.field = dlsym(library, name), check(found.field != NULL, name))
 
-static api functions_of(void *library)
-{
+static api functions_of(void* library) {
     api found;
     memset(&found, 0, sizeof found);
     FIND(session_create, "mien_session_create_with_options");
@@ -59,10 +61,9 @@ static api functions_of(void *library)
 
 enum { SIDE = 24 };
 
-static int entries(const char *folder)
-{
+static int entries(const char* folder) {
     int count = 0;
-    DIR *listing = opendir(folder);
+    DIR* listing = opendir(folder);
     if (listing == NULL) return -1;
     while (readdir(listing) != NULL) ++count;
     closedir(listing);
@@ -70,31 +71,31 @@ static int entries(const char *folder)
 }
 
 /* Builds a small model: meshes, sparse factors, dense products, JSON. Returns the status. */
-static mien_status work(const api *mien, uint64_t max_bytes, char *json, size_t room)
-{
+static mien_status work(const api* mien, uint64_t max_bytes, char* json, size_t room) {
     static float positions[3 * SIDE * SIDE];
     static uint32_t triangles[6 * (SIDE - 1) * (SIDE - 1)];
-    mien_session *session = NULL;
-    mien_mesh *mesh = NULL;
-    mien_model *model = NULL;
+    mien_session* session = NULL;
+    mien_mesh* mesh = NULL;
+    mien_model* model = NULL;
     mien_error error;
     mien_session_options settings;
     mien_mesh_arrays arrays;
     mien_model_options options;
-    uint32_t *corner = triangles;
+    uint32_t* corner = triangles;
     int x, y;
     memset(&error, 0, sizeof error);
     error.struct_size = sizeof error;
     for (y = 0; y < SIDE; ++y)
         for (x = 0; x < SIDE; ++x) {
-            float *p = positions + 3 * (y * SIDE + x);
+            float* p = positions + 3 * (y * SIDE + x);
             p[0] = 5.0f * (float)x;
             p[1] = 5.0f * (float)y;
             p[2] = 0.05f * (float)(x * y);
         }
     for (y = 0; y + 1 < SIDE; ++y)
         for (x = 0; x + 1 < SIDE; ++x) {
-            const uint32_t a = (uint32_t)(y * SIDE + x), quad[6] = {a, a + 1, a + SIDE + 1, a, a + SIDE + 1, a + SIDE};
+            const uint32_t a = (uint32_t)(y * SIDE + x),
+                           quad[6] = {a, a + 1, a + SIDE + 1, a, a + SIDE + 1, a + SIDE};
             memcpy(corner, quad, sizeof quad);
             corner += 6;
         }
@@ -112,7 +113,8 @@ static mien_status work(const api *mien, uint64_t max_bytes, char *json, size_t 
         mien->mesh_create(session, &arrays, &mesh, &error) == MIEN_OK &&
         mien->model_build(session, mesh, &options, &model, &error) == MIEN_OK && json != NULL) {
         uint64_t size = 0;
-        check(entries("/proc/self/task") == 3, "a thread was started that nobody asked for"); /* ., .. and one */
+        check(entries("/proc/self/task") == 3,
+              "a thread was started that nobody asked for"); /* ., .. and one */
         mien->model_json(model, json, room, &size, &error);
     }
     mien->model_release(model);
@@ -123,30 +125,27 @@ static mien_status work(const api *mien, uint64_t max_bytes, char *json, size_t 
 
 static mien_status small_stack_status;
 
-static void *on_small_stack(void *mien)
-{
-    small_stack_status = work((const api *)mien, 0, NULL, 0);
+static void* on_small_stack(void* mien) {
+    small_stack_status = work((const api*)mien, 0, NULL, 0);
     return NULL;
 }
 
-static long mapped_kilobytes(void)
-{
+static long mapped_kilobytes(void) {
     long size = 0, resident = 0;
-    FILE *file = fopen("/proc/self/statm", "r");
+    FILE* file = fopen("/proc/self/statm", "r");
     if (file != NULL && fscanf(file, "%ld %ld", &size, &resident) != 2) size = 0;
     if (file != NULL) fclose(file);
     return size * 4;
 }
 
-int main(int argc, char **argv)
-{
+int main(int argc, char** argv) {
     char name[] = "firmware-heard-XXXXXX", json[2][65536] = {"", ""}, folder[4096];
     int heard, round, files;
     long before = 0;
     pthread_attr_t attributes;
     pthread_t thread;
     struct rlimit disk, no_disk;
-    void *library;
+    void* library;
     api mien;
     if (argc < 2 || realpath(argv[1], folder) == NULL) return 2;
     report = dup(1);
@@ -166,12 +165,14 @@ int main(int argc, char **argv)
         }
         mien = functions_of(library);
         if (faults != 0) return 1;
-        if (round % 20 == 0) check(work(&mien, 0, NULL, 0) == MIEN_OK, "a model cannot be built after a reload");
+        if (round % 20 == 0)
+            check(work(&mien, 0, NULL, 0) == MIEN_OK, "a model cannot be built after a reload");
         dlclose(library);
         if (round == 19) before = mapped_kilobytes();
     }
     check(dlopen(folder, RTLD_NOW | RTLD_NOLOAD) == NULL, "the library stays mapped after dlclose");
-    /* The C++ runtime, when it goes with the library, leaves its 72 kB pool for exceptions behind each time. */
+    /* The C++ runtime, when it goes with the library, leaves its 72 kB pool for exceptions behind
+     * each time. */
     check(mapped_kilobytes() < before + 80 * 100, "reloading leaks memory");
 
     library = dlopen(folder, RTLD_NOW | RTLD_LOCAL);
@@ -185,7 +186,8 @@ int main(int argc, char **argv)
         char comma[8];
         snprintf(comma, sizeof comma, "%.1f", 0.5);
         check(strcmp(comma, "0,5") == 0, "the test's own locale has no comma");
-        check(work(&mien, 0, json[1], sizeof json[1]) == MIEN_OK, "a model cannot be built under de_DE");
+        check(work(&mien, 0, json[1], sizeof json[1]) == MIEN_OK,
+              "a model cannot be built under de_DE");
         check(strcmp(json[0], json[1]) == 0, "the report differs under de_DE");
         setlocale(LC_ALL, "C");
     } else
@@ -193,7 +195,8 @@ int main(int argc, char **argv)
 
     pthread_attr_init(&attributes);
     pthread_attr_setstacksize(&attributes, 256 * 1024);
-    check(pthread_create(&thread, &attributes, on_small_stack, &mien) == 0, "cannot start a thread");
+    check(pthread_create(&thread, &attributes, on_small_stack, &mien) == 0,
+          "cannot start a thread");
     pthread_join(thread, NULL);
     check(small_stack_status == MIEN_OK, "a model cannot be built on a stack of 256 KiB");
 
@@ -213,6 +216,7 @@ int main(int argc, char **argv)
 
     fflush(NULL);
     check(lseek(heard, 0, SEEK_END) == 0, "the library printed something");
-    dprintf(report, "%s\n", faults == 0 ? "loads, unloads, works in small places, keeps quiet" : "see above");
+    dprintf(report, "%s\n",
+            faults == 0 ? "loads, unloads, works in small places, keeps quiet" : "see above");
     return faults != 0;
 }

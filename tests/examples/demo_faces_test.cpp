@@ -21,14 +21,23 @@ const DemoFaces& faces() {
 }
 
 using Vec = std::array<double, 3>;
-Vec at(const std::vector<double>& x, std::size_t v) { return {x[3 * v], x[3 * v + 1], x[3 * v + 2]}; }
-Vec minus(const Vec& a, const Vec& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-double norm(const Vec& a) { return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]); }
-double dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Vec at(const std::vector<double>& x, std::size_t v) {
+    return {x[3 * v], x[3 * v + 1], x[3 * v + 2]};
+}
+Vec minus(const Vec& a, const Vec& b) {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+double norm(const Vec& a) {
+    return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+}
+double dot(const Vec& a, const Vec& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 Vec cross(const Vec& a, const Vec& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-Vec normal(const std::vector<double>& x, const std::vector<std::uint32_t>& triangles, std::size_t t) {
+Vec normal(const std::vector<double>& x, const std::vector<std::uint32_t>& triangles,
+           std::size_t t) {
     const Vec a = at(x, triangles[3 * t]);
     return cross(minus(at(x, triangles[3 * t + 1]), a), minus(at(x, triangles[3 * t + 2]), a));
 }
@@ -83,7 +92,9 @@ TEST(DemoTemplate, IsAnOrientedManifoldWithFourBorders) {
     // Euler: a sphere with four holes and no handle.
     const std::size_t triangles = faces().template_mesh().triangles.size() / 3;
     const std::size_t undirected = (edges.size() + next.size()) / 2;
-    EXPECT_EQ(static_cast<long>(count) - static_cast<long>(undirected) + static_cast<long>(triangles), -2);
+    EXPECT_EQ(
+        static_cast<long>(count) - static_cast<long>(undirected) + static_cast<long>(triangles),
+        -2);
 }
 
 TEST(DemoTemplate, HasTheSizeOfAHeadAndWellShapedTriangles) {
@@ -105,7 +116,8 @@ TEST(DemoTemplate, HasTheSizeOfAHeadAndWellShapedTriangles) {
             const Vec p = at(mesh.vertices, mesh.triangles[t + k]);
             const Vec a = minus(at(mesh.vertices, mesh.triangles[t + (k + 1) % 3]), p);
             const Vec b = minus(at(mesh.vertices, mesh.triangles[t + (k + 2) % 3]), p);
-            least = std::min(least, std::atan2(norm(cross(a, b)), dot(a, b)) * 180 / std::acos(-1.0));
+            least =
+                std::min(least, std::atan2(norm(cross(a, b)), dot(a, b)) * 180 / std::acos(-1.0));
         }
         smallest.push_back(least);
     }
@@ -223,9 +235,9 @@ TEST(DemoExpressions, MoveWhatTheyShouldAndLeaveTheRest) {
     const auto move = [&](const char* expression, const char* mark) {
         return minus(at(face(person, expression), landmark(mark)), at(neutral, landmark(mark)));
     };
-    EXPECT_LT(move("mouth_stretch", "jaw_08")[1], -12);                 // chin goes down
+    EXPECT_LT(move("mouth_stretch", "jaw_08")[1], -12);  // chin goes down
     EXPECT_LT(norm(move("mouth_stretch", "nose_bridge_1")), 0.8);
-    EXPECT_GT(move("smile", "mouth_outer_06")[1], 2);                   // corners up and apart
+    EXPECT_GT(move("smile", "mouth_outer_06")[1], 2);  // corners up and apart
     EXPECT_GT(move("smile", "mouth_outer_06")[0], 2);
     EXPECT_LT(move("smile", "mouth_outer_00")[0], -2);
     EXPECT_LT(move("sadness", "mouth_outer_06")[1], -2);
@@ -240,7 +252,8 @@ TEST(DemoExpressions, MoveWhatTheyShouldAndLeaveTheRest) {
     EXPECT_LT(move("lip_roll", "mouth_outer_09")[2], -0.5);
     EXPECT_GT(norm(move("cheek_blowing", "mouth_outer_06")), 0.2);
     for (const std::string& name : DemoFaces::expression_names()) {
-        if (name.find("brow") != std::string::npos || name == "anger" || name == "sadness") continue;
+        if (name.find("brow") != std::string::npos || name == "anger" || name == "sadness")
+            continue;
         EXPECT_LT(std::fabs(move(name.c_str(), "nose_bridge_0")[1]), 1.0) << name;
     }
 }
@@ -255,7 +268,8 @@ TEST(DemoExpressions, LidsCloseToASlitWithoutCrossing) {
                 const std::size_t u = landmark(stem + upper), l = landmark(stem + lower);
                 const double gap = at(closed, u)[1] - at(closed, l)[1];
                 EXPECT_GT(gap, 0) << subject << " " << stem << upper;
-                EXPECT_LT(gap, 0.45 * (at(open, u)[1] - at(open, l)[1])) << subject << " " << stem << upper;
+                EXPECT_LT(gap, 0.45 * (at(open, u)[1] - at(open, l)[1]))
+                    << subject << " " << stem << upper;
             }
     }
 }
@@ -309,7 +323,8 @@ TEST(DemoScan, ShowsTheTrueFaceWhereItSaysSo) {
     options.noise_mm = 0;
     options.spike_share = 0;
     options.step_mm = 1.5;
-    const auto scan = faces().scan(faces().person(1, 3), DemoFaces::expression_index("grin"), options);
+    const auto scan =
+        faces().scan(faces().person(1, 3), DemoFaces::expression_index("grin"), options);
     const std::size_t points = scan.mesh.vertices.size() / 3;
     ASSERT_GT(points, 20000u);
     ASSERT_EQ(scan.mesh.colors.size(), scan.mesh.vertices.size());

@@ -24,7 +24,8 @@ MeshArrays joined(const MeshArrays& a, const MeshArrays& b) {
     const auto shift = static_cast<std::uint32_t>(a.positions.size());
     both.positions.insert(both.positions.end(), b.positions.begin(), b.positions.end());
     both.colors.insert(both.colors.end(), b.colors.begin(), b.colors.end());
-    for (const Triangle& t : b.triangles) both.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
+    for (const Triangle& t : b.triangles)
+        both.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
     return both;
 }
 RenderOptions front(int size = 100) {
@@ -33,7 +34,9 @@ RenderOptions front(int size = 100) {
     options.size = size;
     return options;
 }
-int brightness(Rgb c) { return c[0] + c[1] + c[2]; }
+int brightness(Rgb c) {
+    return c[0] + c[1] + c[2];
+}
 
 TEST(Render, ShowsWhatIsNearer) {
     const MeshArrays red = square(10, {220, 30, 30}), blue = square(-10, {30, 30, 220});
@@ -110,13 +113,16 @@ TEST(Render, HeatMapPaintsLowAndHighAndGreyWithoutValue) {
 }
 
 TEST(Render, ColorMapsGrowEvenly) {
-    // Lightness of the sequential map rises all the way; the diverging one is brightest in the middle.
+    // Lightness of the sequential map rises all the way; the diverging one is brightest in the
+    // middle.
     const auto light = [](Rgb c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; };
     for (int k = 0; k < 50; ++k)
         EXPECT_LT(light(map_color(ColorMap::sequential, k / 50.0)),
                   light(map_color(ColorMap::sequential, (k + 1) / 50.0)) + 0.5);
-    EXPECT_GT(light(map_color(ColorMap::diverging, 0.5)), light(map_color(ColorMap::diverging, 0.1)));
-    EXPECT_GT(light(map_color(ColorMap::diverging, 0.5)), light(map_color(ColorMap::diverging, 0.9)));
+    EXPECT_GT(light(map_color(ColorMap::diverging, 0.5)),
+              light(map_color(ColorMap::diverging, 0.1)));
+    EXPECT_GT(light(map_color(ColorMap::diverging, 0.5)),
+              light(map_color(ColorMap::diverging, 0.9)));
     EXPECT_EQ(map_color(ColorMap::sequential, -3), map_color(ColorMap::sequential, 0));
     EXPECT_EQ(map_color(ColorMap::sequential, 7), map_color(ColorMap::sequential, 1));
 }
@@ -172,7 +178,8 @@ TEST(Plot, PutsCurvesWhereTheirNumbersAre) {
 
 TEST(Plot, CopesWithGapsConstantsAndLogarithms) {
     PlotOptions options;
-    EXPECT_NO_THROW(draw_plot({{"gap", {0, 1, 2}, {1, std::nan(""), 3}, {0.1, 0.1, 0.1}}}, options));
+    EXPECT_NO_THROW(
+        draw_plot({{"gap", {0, 1, 2}, {1, std::nan(""), 3}, {0.1, 0.1, 0.1}}}, options));
     EXPECT_NO_THROW(draw_plot({{"flat", {0, 1}, {5, 5}, {}}}, options));
     EXPECT_NO_THROW(draw_plot({{"one", {3}, {0}, {}, false, true}}, options));
     options.log_x = options.log_y = true;
@@ -193,7 +200,8 @@ TEST(Plot, BarsGrowWithTheirValues) {
 }
 
 TEST(Plot, TicksAreRoundAndInside) {
-    for (const auto& [low, high] : {std::pair{0.0, 1.0}, std::pair{-3.2, 17.9}, std::pair{1e-7, 3e-7}, std::pair{0.0, 1e9}}) {
+    for (const auto& [low, high] :
+         {std::pair{0.0, 1.0}, std::pair{-3.2, 17.9}, std::pair{1e-7, 3e-7}, std::pair{0.0, 1e9}}) {
         const auto ticks = round_ticks(low, high, 6);
         EXPECT_GE(ticks.size(), 3u);
         EXPECT_LE(ticks.size(), 14u);

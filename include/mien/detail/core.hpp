@@ -20,7 +20,9 @@ namespace mien {
 class Exception : public std::runtime_error {
   public:
     explicit Exception(const mien_error& error)
-        : std::runtime_error(error.message), status_(error.status), detail_index_(error.detail_index) {}
+        : std::runtime_error(error.message),
+          status_(error.status),
+          detail_index_(error.detail_index) {}
     mien_status status() const noexcept { return status_; }
     std::int64_t detail_index() const noexcept { return detail_index_; }
 
@@ -61,8 +63,8 @@ using Handle = std::unique_ptr<T, Deleter<T, Release>>;
 
 }  // namespace detail
 
-/// Progress as a std::function: return true to go on, false to cancel. An exception that it throws is
-/// rethrown by the call that was running.
+/// Progress as a std::function: return true to go on, false to cancel. An exception that it throws
+/// is rethrown by the call that was running.
 using Progress = std::function<bool(int stage, double fraction)>;
 
 namespace detail {
@@ -157,7 +159,8 @@ class Mesh {
             throw std::invalid_argument("colors and positions differ in number");
         mien_mesh_arrays arrays;
         mien_mesh_arrays_init(&arrays, sizeof arrays);
-        arrays.positions = {positions.data(), positions.size(), sizeof(Position), MIEN_DTYPE_F64, 0};
+        arrays.positions = {positions.data(), positions.size(), sizeof(Position), MIEN_DTYPE_F64,
+                            0};
         arrays.triangles = triangles.empty() ? nullptr : triangles.front().data();
         arrays.triangle_count = triangles.size();
         arrays.colors = colors.empty() ? nullptr : colors.front().data();
@@ -196,7 +199,8 @@ class Mesh {
         std::uint64_t count = 0;
         detail::call(mien_mesh_get_colors, get(), nullptr, std::uint64_t{0}, &count);
         std::vector<Color> out(static_cast<std::size_t>(count));
-        if (count != 0) detail::call(mien_mesh_get_colors, get(), out.front().data(), count, &count);
+        if (count != 0)
+            detail::call(mien_mesh_get_colors, get(), out.front().data(), count, &count);
         return out;
     }
     std::size_t vertex_count() const {

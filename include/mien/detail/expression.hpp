@@ -34,7 +34,8 @@ class ExpressionModel {
         detail::ProgressBridge bridge(progress);
         bridge.install(options);
         mien_expression_model* model = nullptr;
-        bridge.call(mien_expression_model_train, session.get(), dataset_path.c_str(), &options, &model);
+        bridge.call(mien_expression_model_train, session.get(), dataset_path.c_str(), &options,
+                    &model);
         return ExpressionModel(model);
     }
     /// From the bytes of a model file, which are copied.
@@ -60,7 +61,8 @@ class ExpressionModel {
         bridge.call(mien_expression_shard_create, session.get(), dataset_path.c_str(), &options,
                     shard_path.c_str());
     }
-    static ExpressionModel merge(const Session& session, const std::vector<std::string>& shard_paths,
+    static ExpressionModel merge(const Session& session,
+                                 const std::vector<std::string>& shard_paths,
                                  TrainOptions options = {}, const Progress& progress = {}) {
         std::vector<const char*> paths;
         for (const std::string& path : shard_paths) paths.push_back(path.c_str());
@@ -102,16 +104,18 @@ class ExpressionModel {
     /// A face from coordinates in millimetres; an empty vector stands for the mean.
     Mesh synthesize(const Session& session, const std::vector<double>& identity,
                     const std::vector<double>& expression) const {
-        const mien_array_view who{identity.data(), identity.size(), sizeof(double), MIEN_DTYPE_F64, 0};
-        const mien_array_view what{expression.data(), expression.size(), sizeof(double), MIEN_DTYPE_F64,
-                                   0};
+        const mien_array_view who{identity.data(), identity.size(), sizeof(double), MIEN_DTYPE_F64,
+                                  0};
+        const mien_array_view what{expression.data(), expression.size(), sizeof(double),
+                                   MIEN_DTYPE_F64, 0};
         mien_mesh* mesh = nullptr;
         detail::call(mien_expression_model_synthesize, session.get(), get(), &who, &what, &mesh);
         return Mesh(mesh);
     }
 
     /// A random face; `expression` is a name, or null for neutral.
-    Mesh sample(const Session& session, std::uint64_t seed, const char* expression = nullptr) const {
+    Mesh sample(const Session& session, std::uint64_t seed,
+                const char* expression = nullptr) const {
         mien_mesh* mesh = nullptr;
         detail::call(mien_expression_model_sample, session.get(), get(), seed, expression, &mesh);
         return Mesh(mesh);
@@ -122,8 +126,8 @@ class ExpressionModel {
         detail::ProgressBridge bridge(progress);
         bridge.install(options);
         mien_evaluation* evaluation = nullptr;
-        bridge.call(mien_evaluate_neutralization, session.get(), get(), dataset_path.c_str(), &options,
-                    &evaluation);
+        bridge.call(mien_evaluate_neutralization, session.get(), get(), dataset_path.c_str(),
+                    &options, &evaluation);
         const detail::Handle<mien_evaluation, mien_evaluation_release> owner(evaluation);
         return detail::read_text(mien_evaluation_get_json, evaluation);
     }
@@ -131,7 +135,9 @@ class ExpressionModel {
     mien_expression_model* get() const noexcept { return handle_.get(); }
 
   private:
-    void adopt(mien_expression_model* owned) { handle_.reset(owned, mien_expression_model_release); }
+    void adopt(mien_expression_model* owned) {
+        handle_.reset(owned, mien_expression_model_release);
+    }
     std::shared_ptr<mien_expression_model> handle_;
 };
 
@@ -191,22 +197,23 @@ class Neutralization {
         detail::ProgressBridge bridge(progress);
         bridge.install(options);
         mien_neutralization* neutralization = nullptr;
-        bridge.call(mien_neutralize, session.get(), model.get(), fitted.get(), &options, &neutralization);
+        bridge.call(mien_neutralize, session.get(), model.get(), fitted.get(), &options,
+                    &neutralization);
         adopt(model, neutralization);
     }
     /// The scan that the face was fitted to, its own vertices moved; 0: the default distance.
     Mesh apply_to_scan(const Session& session, const Mesh& scan, double max_distance_mm = 0) const {
         mien_mesh* mesh = nullptr;
-        detail::call(mien_neutralization_apply_to_scan, session.get(), get(), scan.get(), max_distance_mm,
-                     &mesh);
+        detail::call(mien_neutralization_apply_to_scan, session.get(), get(), scan.get(),
+                     max_distance_mm, &mesh);
         return Mesh(mesh);
     }
     /// This face's expression on the target's neutral face.
     Mesh transfer_to(const Session& session, const ExpressionModel& model,
                      const Neutralization& target) const {
         mien_mesh* mesh = nullptr;
-        detail::call(mien_expression_model_transfer, session.get(), model.get(), get(), target.get(),
-                     &mesh);
+        detail::call(mien_expression_model_transfer, session.get(), model.get(), get(),
+                     target.get(), &mesh);
         return Mesh(mesh);
     }
     Mesh mesh() const { return Mesh::share(mien_neutralization_mesh(get())); }
@@ -228,7 +235,8 @@ class Neutralization {
         handle_.reset(neutralization);
         identity_.resize(model.identity_modes());
         expression_.resize(model.expression_modes());
-        detail::call(mien_neutralization_get_coordinates, get(), identity_.data(), expression_.data());
+        detail::call(mien_neutralization_get_coordinates, get(), identity_.data(),
+                     expression_.data());
     }
 
     detail::Handle<mien_neutralization, mien_neutralization_release> handle_;

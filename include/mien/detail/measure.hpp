@@ -38,18 +38,21 @@ class Measurement {
                                 const MeasureOptions& options = {}) {
         return make(mien_measure_distance, session, before, after, options);
     }
-    static Measurement surface_distance(const Session& session, const Mesh& before, const Mesh& after,
-                                        const MeasureOptions& options = {}) {
+    static Measurement surface_distance(const Session& session, const Mesh& before,
+                                        const Mesh& after, const MeasureOptions& options = {}) {
         return make(mien_measure_surface_distance, session, before, after, options);
     }
 
-    /// Scan to scan; carry: MIEN_CARRY_*. `coverage` receives the share of before's area with a partner.
+    /// Scan to scan; carry: MIEN_CARRY_*. `coverage` receives the share of before's area with a
+    /// partner.
     static Measurement scan_volume(const Session& session, const Mesh& before, const Mesh& after,
                                    std::int32_t carry, const Position& direction = {{0, 0, 1}},
                                    const MeasureOptions& options = {}, double* coverage = nullptr) {
         auto function = [&](mien_session* s, const mien_mesh* a, const mien_mesh* b,
-                            const mien_measure_options* o, mien_measurement** out, mien_error* error) {
-            return mien_measure_scan_volume(s, a, b, carry, direction.data(), o, coverage, out, error);
+                            const mien_measure_options* o, mien_measurement** out,
+                            mien_error* error) {
+            return mien_measure_scan_volume(s, a, b, carry, direction.data(), o, coverage, out,
+                                            error);
         };
         return make(function, session, before, after, options);
     }
@@ -57,8 +60,9 @@ class Measurement {
     /// Curvatures of one surface; the fields MIEN_FIELD_CURVATURE_*.
     static Measurement curvature(const Session& session, const Mesh& mesh, double radius_mm = 6.0,
                                  bool robust = true, const MeasureOptions& options = {}) {
-        auto function = [&](mien_session* s, const mien_mesh* a, const mien_mesh*, const mien_measure_options* o,
-                            mien_measurement** out, mien_error* error) {
+        auto function = [&](mien_session* s, const mien_mesh* a, const mien_mesh*,
+                            const mien_measure_options* o, mien_measurement** out,
+                            mien_error* error) {
             return mien_measure_curvature(s, a, radius_mm, robust ? 1 : 0, o, out, error);
         };
         return make(function, session, mesh, mesh, options);
@@ -112,7 +116,8 @@ class Measurement {
         options.correlation_length_mm = settings.correlation_length_mm;
         options.alignment_rotation_sd_rad = settings.alignment_rotation_sd_rad;
         options.alignment_translation_sd_mm = settings.alignment_translation_sd_mm;
-        for (std::size_t k = 0; k < 3; ++k) options.alignment_centre[k] = settings.alignment_centre[k];
+        for (std::size_t k = 0; k < 3; ++k)
+            options.alignment_centre[k] = settings.alignment_centre[k];
         options.common_bias_mm = settings.common_bias_mm;
         options.limit_of_detection_ml = settings.limit_of_detection_ml;
         options.max_distance_mm = settings.max_distance_mm;
@@ -129,15 +134,17 @@ class Measurement {
     std::shared_ptr<mien_measurement> handle_;
 };
 
-/// Moves a face rigidly onto another by a zone that has not changed; an empty zone means all vertices.
+/// Moves a face rigidly onto another by a zone that has not changed; an empty zone means all
+/// vertices.
 inline Mesh align_on_zone(const Session& session, const Mesh& moving, const Mesh& target,
-                          const std::vector<std::uint32_t>& stable, mien_zone_alignment* info = nullptr) {
+                          const std::vector<std::uint32_t>& stable,
+                          mien_zone_alignment* info = nullptr) {
     const mien_zone zone{"stable", stable.data(), stable.size()};
     mien_zone_alignment local{};
     local.struct_size = sizeof local;
     mien_mesh* mesh = nullptr;
-    detail::call(mien_measure_align, session.get(), moving.get(), target.get(), stable.empty() ? nullptr : &zone,
-                 &local, &mesh);
+    detail::call(mien_measure_align, session.get(), moving.get(), target.get(),
+                 stable.empty() ? nullptr : &zone, &local, &mesh);
     if (info != nullptr) *info = local;
     return Mesh(mesh);
 }
@@ -151,16 +158,17 @@ inline PlaceLengths lengths_mm(const Session& session, const Mesh& mesh,
     std::vector<std::uint32_t> flat;
     for (const auto& pair : pairs) flat.insert(flat.end(), pair.begin(), pair.end());
     PlaceLengths lengths{std::vector<double>(pairs.size()), std::vector<double>(pairs.size())};
-    detail::call(mien_measure_lengths, session.get(), mesh.get(), flat.data(), static_cast<std::uint64_t>(pairs.size()),
-                 lengths.straight_mm.data(), lengths.geodesic_mm.data());
+    detail::call(mien_measure_lengths, session.get(), mesh.get(), flat.data(),
+                 static_cast<std::uint64_t>(pairs.size()), lengths.straight_mm.data(),
+                 lengths.geodesic_mm.data());
     return lengths;
 }
 
 /// mL; an open mesh is an error unless its rims may be closed by fans.
 inline double closed_volume_ml(const Session& session, const Mesh& mesh, bool close_rims = false) {
     double volume = 0.0;
-    detail::call(mien_measure_closed_volume, session.get(), mesh.get(), std::int32_t{close_rims ? 1 : 0},
-                 &volume);
+    detail::call(mien_measure_closed_volume, session.get(), mesh.get(),
+                 std::int32_t{close_rims ? 1 : 0}, &volume);
     return volume;
 }
 

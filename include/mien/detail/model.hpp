@@ -132,7 +132,8 @@ class Model {
     std::size_t vector_modes() const { return count(2); }
     std::string json() const { return detail::read_text(mien_model_get_json, get()); }
     /// Random face `index` of `seed`; strength 0 is the mean.
-    Mesh sample(const Session& session, std::uint64_t seed, std::uint64_t index, double strength = 1) const {
+    Mesh sample(const Session& session, std::uint64_t seed, std::uint64_t index,
+                double strength = 1) const {
         mien_mesh* mesh = nullptr;
         detail::call(mien_model_sample, session.get(), get(), seed, index, strength, &mesh);
         return Mesh(mesh);
@@ -141,8 +142,11 @@ class Model {
     Model condition(const Session& session, const std::vector<LandmarkObservation>& seen) const {
         std::vector<mien_landmark_observation> observations;
         for (const LandmarkObservation& one : seen)
-            observations.push_back({one.name.c_str(), 0, 0,
-                                    {one.position[0], one.position[1], one.position[2]}, one.noise_mm});
+            observations.push_back({one.name.c_str(),
+                                    0,
+                                    0,
+                                    {one.position[0], one.position[1], one.position[2]},
+                                    one.noise_mm});
         mien_model* model = nullptr;
         detail::call(mien_model_condition, session.get(), get(), observations.data(),
                      std::uint64_t{observations.size()}, &model);
@@ -152,7 +156,8 @@ class Model {
     std::vector<Position> variance() const {
         std::vector<Position> out(vertex_count());
         std::uint64_t rows = 0;
-        detail::call(mien_model_get_variance, get(), out.front().data(), std::uint64_t{out.size()}, &rows);
+        detail::call(mien_model_get_variance, get(), out.front().data(), std::uint64_t{out.size()},
+                     &rows);
         return out;
     }
     const mien_model* get() const noexcept { return handle_.get(); }
@@ -167,8 +172,8 @@ class Model {
 };
 
 /// Residual against sigma on faces of known correspondence, as JSON text.
-inline std::string tune_kernel(const Session& session, const Mesh& template_mesh, const std::string& dataset,
-                               const TuneSettings& settings) {
+inline std::string tune_kernel(const Session& session, const Mesh& template_mesh,
+                               const std::string& dataset, const TuneSettings& settings) {
     std::vector<const char*> expressions;
     for (const std::string& name : settings.expressions) expressions.push_back(name.c_str());
     mien_tune_options options;
@@ -188,7 +193,8 @@ inline std::string tune_kernel(const Session& session, const Mesh& template_mesh
     detail::ProgressBridge bridge(settings.progress);
     bridge.install(options);
     mien_tuning* tuning = nullptr;
-    bridge.call(mien_model_tune, session.get(), template_mesh.get(), dataset.c_str(), &options, &tuning);
+    bridge.call(mien_model_tune, session.get(), template_mesh.get(), dataset.c_str(), &options,
+                &tuning);
     const detail::Handle<mien_tuning, mien_tuning_release> owner(tuning);
     return detail::read_text(mien_tuning_get_json, static_cast<const mien_tuning*>(tuning));
 }

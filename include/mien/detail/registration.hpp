@@ -30,8 +30,9 @@ class Registration {
         mien_register_options options = settings.c;
         std::vector<mien_scan_landmark> landmarks;
         for (const ScanLandmark& landmark : settings.landmarks)
-            landmarks.push_back({landmark.name.c_str(),
-                                 {landmark.position[0], landmark.position[1], landmark.position[2]}});
+            landmarks.push_back(
+                {landmark.name.c_str(),
+                 {landmark.position[0], landmark.position[1], landmark.position[2]}});
         options.landmarks = landmarks.data();
         options.landmark_count = landmarks.size();
         if (!settings.scan_weights.empty())
@@ -62,9 +63,11 @@ class Registration {
         return values;
     }
     /// For every template vertex: a triangle of the scan and the place in it.
-    void correspondence(std::vector<std::uint32_t>& triangles, std::vector<Position>& barycentric) const {
+    void correspondence(std::vector<std::uint32_t>& triangles,
+                        std::vector<Position>& barycentric) const {
         std::uint64_t count = 0;
-        detail::call(mien_registration_get_correspondence, get(), nullptr, nullptr, std::uint64_t{0}, &count);
+        detail::call(mien_registration_get_correspondence, get(), nullptr, nullptr,
+                     std::uint64_t{0}, &count);
         triangles.resize(static_cast<std::size_t>(count));
         barycentric.resize(static_cast<std::size_t>(count));
         if (count != 0)
@@ -84,22 +87,24 @@ class Registration {
     std::shared_ptr<mien_registration> handle_;
 };
 
-/// Nearest places of `points` on a surface, mm; a place farther than max_distance_mm stays where it was.
+/// Nearest places of `points` on a surface, mm; a place farther than max_distance_mm stays where it
+/// was.
 inline std::vector<Position> transfer_points(const Session& session, const Mesh& surface,
-                                             const std::vector<Position>& points, double max_distance_mm = 0) {
+                                             const std::vector<Position>& points,
+                                             double max_distance_mm = 0) {
     std::vector<Position> places(points.size());
     if (points.empty()) return places;
     const mien_array_view view{points.data(), points.size(), sizeof(Position), MIEN_DTYPE_F64, 0};
     std::uint64_t count = 0;
-    detail::call(mien_surface_transfer_points, session.get(), surface.get(), &view, max_distance_mm, nullptr, nullptr,
-                 places.front().data(), std::uint64_t{places.size()}, &count);
+    detail::call(mien_surface_transfer_points, session.get(), surface.get(), &view, max_distance_mm,
+                 nullptr, nullptr, places.front().data(), std::uint64_t{places.size()}, &count);
     return places;
 }
 
 /// Vertices of `to` under a zone of `from`.
 inline std::vector<std::uint32_t> transfer_zone(const Session& session, const Mesh& from,
-                                                const std::vector<std::uint32_t>& vertices, const Mesh& to,
-                                                double max_distance_mm = 0) {
+                                                const std::vector<std::uint32_t>& vertices,
+                                                const Mesh& to, double max_distance_mm = 0) {
     std::vector<std::uint32_t> inside(to.vertex_count());
     std::uint64_t count = 0;
     detail::call(mien_surface_transfer_zone, session.get(), from.get(), vertices.data(),
@@ -110,14 +115,14 @@ inline std::vector<std::uint32_t> transfer_zone(const Session& session, const Me
 }
 
 /// A model's landmarks (MIEN_TRANSFER_LANDMARKS) or zones on a scan, as JSON text.
-inline std::string transfer_json(const Session& session, const Model& model, const Mesh& fitted, const Mesh& scan,
-                                 std::int32_t what, double max_distance_mm = 0) {
+inline std::string transfer_json(const Session& session, const Model& model, const Mesh& fitted,
+                                 const Mesh& scan, std::int32_t what, double max_distance_mm = 0) {
     std::uint64_t size = 0;
-    detail::call(mien_surface_transfer_json, session.get(), model.get(), fitted.get(), scan.get(), what,
-                 max_distance_mm, nullptr, std::uint64_t{0}, &size);
+    detail::call(mien_surface_transfer_json, session.get(), model.get(), fitted.get(), scan.get(),
+                 what, max_distance_mm, nullptr, std::uint64_t{0}, &size);
     std::string text(static_cast<std::size_t>(size), '\0');
-    detail::call(mien_surface_transfer_json, session.get(), model.get(), fitted.get(), scan.get(), what,
-                 max_distance_mm, &text[0], size, &size);
+    detail::call(mien_surface_transfer_json, session.get(), model.get(), fitted.get(), scan.get(),
+                 what, max_distance_mm, &text[0], size, &size);
     text.resize(static_cast<std::size_t>(size) - 1);
     return text;
 }

@@ -51,14 +51,15 @@ class ScoreModel {
     /// face null: the training's mean face.
     Mesh simulate(const Session& session, const Mesh* face, double target) const {
         mien_mesh* mesh = nullptr;
-        detail::call(mien_score_model_simulate, session.get(), get(), face != nullptr ? face->get() : nullptr,
-                     target, &mesh);
+        detail::call(mien_score_model_simulate, session.get(), get(),
+                     face != nullptr ? face->get() : nullptr, target, &mesh);
         return Mesh(mesh);
     }
     /// mm per vertex; component -1: per unit of score.
     std::vector<double> latent(std::int32_t component) const {
         std::uint64_t count = 0;
-        detail::call(mien_score_model_get_latent, get(), component, nullptr, std::uint64_t{0}, &count);
+        detail::call(mien_score_model_get_latent, get(), component, nullptr, std::uint64_t{0},
+                     &count);
         std::vector<double> values(static_cast<std::size_t>(count));
         detail::call(mien_score_model_get_latent, get(), component, values.data(), count, &count);
         return values;
@@ -93,16 +94,19 @@ std::string statistics_text(Function function, Arguments... arguments) {
 inline std::string rater_agreement(const Session& session, const std::vector<std::int32_t>& ratings,
                                    std::uint32_t rater_count, std::int32_t grade_count) {
     if (rater_count == 0 || ratings.size() % rater_count != 0)
-        throw std::invalid_argument("the number of ratings is not a multiple of the number of raters");
+        throw std::invalid_argument(
+            "the number of ratings is not a multiple of the number of raters");
     return detail::statistics_text(mien_statistics_agreement, session.get(), ratings.data(),
-                                   std::uint64_t{ratings.size() / rater_count}, rater_count, grade_count);
+                                   std::uint64_t{ratings.size() / rater_count}, rater_count,
+                                   grade_count);
 }
 
 /// JSON; `blanks` are changes measured where nothing changed, and may be empty.
 inline std::string repeatability(const Session& session, const std::vector<double>& values,
                                  const std::vector<std::int32_t>& subjects,
                                  const std::vector<double>& blanks = {}) {
-    if (values.size() != subjects.size()) throw std::invalid_argument("values and subjects differ in number");
+    if (values.size() != subjects.size())
+        throw std::invalid_argument("values and subjects differ in number");
     return detail::statistics_text(mien_statistics_repeatability, session.get(), values.data(),
                                    subjects.data(), std::uint64_t{values.size()}, blanks.data(),
                                    std::uint64_t{blanks.size()});
@@ -111,9 +115,10 @@ inline std::string repeatability(const Session& session, const std::vector<doubl
 /// JSON.
 inline std::string bland_altman(const Session& session, const std::vector<double>& first,
                                 const std::vector<double>& second) {
-    if (first.size() != second.size()) throw std::invalid_argument("the two lists differ in length");
-    return detail::statistics_text(mien_statistics_bland_altman, session.get(), first.data(), second.data(),
-                                   std::uint64_t{first.size()});
+    if (first.size() != second.size())
+        throw std::invalid_argument("the two lists differ in length");
+    return detail::statistics_text(mien_statistics_bland_altman, session.get(), first.data(),
+                                   second.data(), std::uint64_t{first.size()});
 }
 
 }  // namespace mien

@@ -75,14 +75,16 @@ class SpectralBasis {
         detail::call(mien_spectral_split, session.get(), get(), face.get(), k, nullptr, &mesh);
         return Mesh(mesh);
     }
-    Mesh assemble(const Session& session, const Mesh& low, const Mesh& high, std::uint64_t k) const {
-        return detail::make_mesh(mien_spectral_assemble, session.get(), get(), low.get(), high.get(), k);
+    Mesh assemble(const Session& session, const Mesh& low, const Mesh& high,
+                  std::uint64_t k) const {
+        return detail::make_mesh(mien_spectral_assemble, session.get(), get(), low.get(),
+                                 high.get(), k);
     }
     Mesh edit(const Session& session, const Mesh& face, const std::vector<std::uint64_t>& limits,
               const std::vector<double>& gains) const {
         check_bands(limits, gains);
-        return detail::make_mesh(mien_spectral_edit, session.get(), get(), face.get(), limits.data(),
-                                 std::uint64_t{limits.size()}, gains.data());
+        return detail::make_mesh(mien_spectral_edit, session.get(), get(), face.get(),
+                                 limits.data(), std::uint64_t{limits.size()}, gains.data());
     }
     Mesh mix(const Session& session, const Mesh& first, const Mesh& second,
              const std::vector<std::uint64_t>& limits, const std::vector<double>& weights) const {
@@ -93,16 +95,20 @@ class SpectralBasis {
     const mien_spectral_basis* get() const noexcept { return handle_.get(); }
 
   private:
-    explicit SpectralBasis(mien_spectral_basis* basis) : handle_(basis, mien_spectral_basis_release) {}
-    static void check_bands(const std::vector<std::uint64_t>& limits, const std::vector<double>& values) {
+    explicit SpectralBasis(mien_spectral_basis* basis)
+        : handle_(basis, mien_spectral_basis_release) {}
+    static void check_bands(const std::vector<std::uint64_t>& limits,
+                            const std::vector<double>& values) {
         if (values.size() != limits.size() + 1)
-            throw std::invalid_argument("one value more than limits is needed: the last band is open");
+            throw std::invalid_argument(
+                "one value more than limits is needed: the last band is open");
     }
     std::shared_ptr<mien_spectral_basis> handle_;
 };
 
 /// MIEN_METRIC_...
-inline double metric(const Session& session, std::int32_t kind, const Mesh& reference, const Mesh& other) {
+inline double metric(const Session& session, std::int32_t kind, const Mesh& reference,
+                     const Mesh& other) {
     double value = 0;
     detail::call(mien_metric, session.get(), kind, reference.get(), other.get(), &value);
     return value;
@@ -112,8 +118,8 @@ inline double metric(const Session& session, std::int32_t kind, const Mesh& refe
 class Representation {
   public:
     using Motion = std::array<double, 12>;
-    static Representation train(const Session& session, const std::string& dataset_path, std::int32_t kind,
-                                bool neutral_only = false) {
+    static Representation train(const Session& session, const std::string& dataset_path,
+                                std::int32_t kind, bool neutral_only = false) {
         mien_representation* representation = nullptr;
         detail::call(mien_representation_train, session.get(), dataset_path.c_str(), kind,
                      std::int32_t{neutral_only ? 1 : 0}, &representation);
@@ -133,40 +139,45 @@ class Representation {
         return static_cast<std::size_t>(channels);
     }
     /// #V x channel_count(), row by row.
-    std::vector<double> encode(const Session& session, const Mesh& face, Motion* motion = nullptr) const {
+    std::vector<double> encode(const Session& session, const Mesh& face,
+                               Motion* motion = nullptr) const {
         std::uint64_t vertices = 0, channels = 0, count = 0;
         detail::call(mien_representation_get_counts, get(), &vertices, &channels);
         std::vector<double> features(static_cast<std::size_t>(vertices * channels));
         detail::call(mien_representation_encode, session.get(), get(), face.get(),
-                     motion != nullptr ? motion->data() : nullptr, features.data(), vertices, &count);
+                     motion != nullptr ? motion->data() : nullptr, features.data(), vertices,
+                     &count);
         return features;
     }
     Mesh decode(const Session& session, const std::vector<double>& features,
                 const Motion* motion = nullptr) const {
         const std::uint64_t rows = features.size() / channel_count();
-        return detail::make_mesh(mien_representation_decode, session.get(), get(), features.data(), rows,
-                                 motion != nullptr ? motion->data() : nullptr);
+        return detail::make_mesh(mien_representation_decode, session.get(), get(), features.data(),
+                                 rows, motion != nullptr ? motion->data() : nullptr);
     }
     const mien_representation* get() const noexcept { return handle_.get(); }
 
   private:
-    explicit Representation(mien_representation* owned) : handle_(owned, mien_representation_release) {}
+    explicit Representation(mien_representation* owned)
+        : handle_(owned, mien_representation_release) {}
     std::shared_ptr<mien_representation> handle_;
 };
 
 /// Levels of a template; copies share it.
 class Hierarchy {
   public:
-    static Hierarchy quadric(const Session& session, const Mesh& mesh, std::uint32_t levels, double factor) {
+    static Hierarchy quadric(const Session& session, const Mesh& mesh, std::uint32_t levels,
+                             double factor) {
         mien_hierarchy* hierarchy = nullptr;
-        detail::call(mien_hierarchy_build_quadric, session.get(), mesh.get(), levels, factor, &hierarchy);
+        detail::call(mien_hierarchy_build_quadric, session.get(), mesh.get(), levels, factor,
+                     &hierarchy);
         return Hierarchy(hierarchy);
     }
     static Hierarchy connectivity(const Session& session, const Mesh& mesh, std::uint32_t levels,
                                   std::uint32_t stride, std::uint32_t radius) {
         mien_hierarchy* hierarchy = nullptr;
-        detail::call(mien_hierarchy_build_connectivity, session.get(), mesh.get(), levels, stride, radius,
-                     &hierarchy);
+        detail::call(mien_hierarchy_build_connectivity, session.get(), mesh.get(), levels, stride,
+                     radius, &hierarchy);
         return Hierarchy(hierarchy);
     }
     static Hierarchy load(const Session& session, const std::string& path) {
@@ -182,14 +193,16 @@ class Hierarchy {
         detail::call(mien_hierarchy_get_level_count, get(), &count);
         return count;
     }
-    Mesh level(std::uint32_t level) const { return detail::make_mesh(mien_hierarchy_get_level, get(), level); }
+    Mesh level(std::uint32_t level) const {
+        return detail::make_mesh(mien_hierarchy_get_level, get(), level);
+    }
     /// Values on vertices, channels a row, through MIEN_MAP_DOWN or MIEN_MAP_UP of a level.
-    std::vector<double> apply(std::uint32_t level, std::int32_t direction, const std::vector<double>& values,
-                              std::uint64_t channels) const {
+    std::vector<double> apply(std::uint32_t level, std::int32_t direction,
+                              const std::vector<double>& values, std::uint64_t channels) const {
         std::uint64_t count = 0;
         const std::uint64_t rows = channels == 0 ? 0 : values.size() / channels;
-        detail::call(mien_hierarchy_apply, get(), level, direction, values.data(), rows, channels, nullptr,
-                     std::uint64_t{0}, &count);
+        detail::call(mien_hierarchy_apply, get(), level, direction, values.data(), rows, channels,
+                     nullptr, std::uint64_t{0}, &count);
         std::vector<double> result(static_cast<std::size_t>(count * channels));
         detail::call(mien_hierarchy_apply, get(), level, direction, values.data(), rows, channels,
                      result.data(), count, &count);
@@ -218,12 +231,13 @@ struct BlendshapeOptions {
 class BlendshapeModel {
   public:
     static BlendshapeModel train(const Session& session, const std::string& dataset_path,
-                                 const std::string& expression, const BlendshapeOptions& settings = {}) {
+                                 const std::string& expression,
+                                 const BlendshapeOptions& settings = {}) {
         detail::ProgressBridge bridge(settings.progress);
         mien_blendshape_options options = options_of(settings, bridge);
         mien_blendshape_model* model = nullptr;
-        bridge.call(mien_blendshape_model_train, session.get(), dataset_path.c_str(), expression.c_str(),
-                    &options, &model);
+        bridge.call(mien_blendshape_model_train, session.get(), dataset_path.c_str(),
+                    expression.c_str(), &options, &model);
         return BlendshapeModel(model);
     }
     static BlendshapeModel load(const Session& session, const std::string& path) {
@@ -242,21 +256,23 @@ class BlendshapeModel {
                                  basis != nullptr ? basis->get() : nullptr, k, neutral.get());
     }
     std::vector<mien_band_choice> search(const Session& session, const SpectralBasis& basis,
-                                         const std::string& dataset_path, const std::string& expression,
+                                         const std::string& dataset_path,
+                                         const std::string& expression,
                                          const std::vector<std::uint64_t>& candidates,
                                          const BlendshapeOptions& settings = {}) const {
         detail::ProgressBridge bridge(settings.progress);
         mien_blendshape_options options = options_of(settings, bridge);
         std::vector<mien_band_choice> choices(candidates.size());
-        bridge.call(mien_blendshape_model_search, session.get(), get(), basis.get(), dataset_path.c_str(),
-                    expression.c_str(), candidates.data(), static_cast<std::uint32_t>(candidates.size()),
-                    &options, choices.data());
+        bridge.call(mien_blendshape_model_search, session.get(), get(), basis.get(),
+                    dataset_path.c_str(), expression.c_str(), candidates.data(),
+                    static_cast<std::uint32_t>(candidates.size()), &options, choices.data());
         return choices;
     }
     const mien_blendshape_model* get() const noexcept { return handle_.get(); }
 
   private:
-    explicit BlendshapeModel(mien_blendshape_model* owned) : handle_(owned, mien_blendshape_model_release) {}
+    explicit BlendshapeModel(mien_blendshape_model* owned)
+        : handle_(owned, mien_blendshape_model_release) {}
     static mien_blendshape_options options_of(const BlendshapeOptions& settings,
                                               detail::ProgressBridge& bridge) {
         mien_blendshape_options options;

@@ -47,16 +47,18 @@ class Visits {
         return Mesh(mesh);
     }
     std::string expression(std::int32_t index) const {
-        auto read = [index](const mien_visits* visits, char* dst, std::uint64_t capacity, std::uint64_t* count,
-                            mien_error* error) {
+        auto read = [index](const mien_visits* visits, char* dst, std::uint64_t capacity,
+                            std::uint64_t* count, mien_error* error) {
             return mien_visits_get_expression(visits, index, dst, capacity, count, error);
         };
         return detail::read_text(read, get());
     }
-    RemovedVolume removed_volume(std::int32_t first, std::int32_t second, const MeasureZone& zone) const {
+    RemovedVolume removed_volume(std::int32_t first, std::int32_t second,
+                                 const MeasureZone& zone) const {
         const mien_zone view{zone.name.c_str(), zone.vertices.data(), zone.vertices.size()};
         RemovedVolume removed;
-        detail::call(mien_visits_get_removed_volume, get(), first, second, &view, &removed.removed_ml, &removed.sd_ml);
+        detail::call(mien_visits_get_removed_volume, get(), first, second, &view,
+                     &removed.removed_ml, &removed.sd_ml);
         return removed;
     }
     mien_visits* get() const noexcept { return handle_.get(); }

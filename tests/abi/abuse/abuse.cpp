@@ -13,7 +13,8 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 bool ends_with(const std::string& text, const std::string& end) {
-    return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+    return text.size() >= end.size() &&
+           text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
 /// A handle made by a successful abusive call is given back.
@@ -22,7 +23,8 @@ void release_outputs(const FunctionRow& row, const std::vector<Argument>& argume
         if (row.parameters[i].kind != Kind::handle_out || arguments[i].pointer == nullptr) continue;
         Argument made;
         std::memcpy(&made.pointer, arguments[i].pointer, sizeof made.pointer);
-        if (made.pointer != nullptr) find_function(std::string(row.parameters[i].type) + "_release")->call(&made);
+        if (made.pointer != nullptr)
+            find_function(std::string(row.parameters[i].type) + "_release")->call(&made);
     }
 }
 
@@ -32,8 +34,8 @@ void Verdict::check(bool good, const std::string& function, const std::string& w
     if (!good) faults.push_back(function + ": " + what);
 }
 
-std::int64_t observed_call(const FunctionRow& row, std::vector<Argument> arguments, const std::string& how,
-                           Verdict& verdict, std::string* message) {
+std::int64_t observed_call(const FunctionRow& row, std::vector<Argument> arguments,
+                           const std::string& how, Verdict& verdict, std::string* message) {
     mien_error error;
     std::memset(&error, 0x5A, sizeof error);
     error.struct_size = sizeof error;
@@ -53,11 +55,13 @@ std::int64_t observed_call(const FunctionRow& row, std::vector<Argument> argumen
     }
     const std::int64_t result = row.call(arguments.data());
     if (row.result != Result::status) return result;
-    verdict.check(result <= 0 && result > MIEN_E_INTERNAL, row.name,
-                  how + ": unexpected status " + mien_status_name(static_cast<mien_status>(result)) +
-                      (has_record && result < 0 ? std::string(": ") + error.message : std::string()));
+    verdict.check(
+        result <= 0 && result > MIEN_E_INTERNAL, row.name,
+        how + ": unexpected status " + mien_status_name(static_cast<mien_status>(result)) +
+            (has_record && result < 0 ? std::string(": ") + error.message : std::string()));
     if (has_record) {
-        verdict.check(error.status == result, row.name, how + ": the record and the returned status differ");
+        verdict.check(error.status == result, row.name,
+                      how + ": the record and the returned status differ");
         const bool ended = std::memchr(error.message, 0, sizeof error.message) != nullptr;
         verdict.check(ended, row.name, how + ": the message has no end");
         verdict.check(!ended || (result < 0) == (error.message[0] != '\0'), row.name,
@@ -65,7 +69,8 @@ std::int64_t observed_call(const FunctionRow& row, std::vector<Argument> argumen
         if (message != nullptr && ended) *message = error.message;
     }
     for (std::size_t i = 0; i < row.parameters.size(); ++i)
-        if (row.parameters[i].kind == Kind::handle_out && arguments[i].pointer != nullptr && result < 0) {
+        if (row.parameters[i].kind == Kind::handle_out && arguments[i].pointer != nullptr &&
+            result < 0) {
             void* made = nullptr;
             std::memcpy(&made, arguments[i].pointer, sizeof made);
             verdict.check(made == nullptr, row.name, how + ": failed, and *out is not null");
@@ -82,7 +87,8 @@ struct Attempt {
     bool must_fail;
 };
 
-/// Foreign memory of the three sorts that a tag can tell: nothing, another live type, a released object.
+/// Foreign memory of the three sorts that a tag can tell: nothing, another live type, a released
+/// object.
 std::vector<Attempt> wrong_handles(const Fixtures& fixtures, const ParameterRow& parameter) {
     alignas(16) static unsigned char zeroes[512], released[512];
     const std::uint32_t released_tag = 0xDEADC0DE;
@@ -124,7 +130,8 @@ std::vector<Attempt> wrong_arguments(const Fixtures& fixtures, const ParameterRo
         attempts.push_back({how, argument, must_fail});
     };
     switch (parameter.kind) {
-        case Kind::handle: return wrong_handles(fixtures, parameter);
+        case Kind::handle:
+            return wrong_handles(fixtures, parameter);
         case Kind::text:
             pointer("null", nullptr, !parameter.nullable);
             pointer("empty", "", false);
@@ -144,7 +151,8 @@ std::vector<Attempt> wrong_arguments(const Fixtures& fixtures, const ParameterRo
         case Kind::value_out:
         case Kind::view_out:
             pointer("null", nullptr, !parameter.nullable);
-            // A correct result is as good as an error; a sanitizer sees whether it was read in order.
+            // A correct result is as good as an error; a sanitizer sees whether it was read in
+            // order.
             pointer("misaligned", crooked, false);
             break;
         case Kind::array_out:
@@ -166,7 +174,8 @@ std::vector<Attempt> wrong_arguments(const Fixtures& fixtures, const ParameterRo
             break;
         case Kind::callback:
         case Kind::user:
-        case Kind::error: break;
+        case Kind::error:
+            break;
     }
     return attempts;
 }
@@ -182,12 +191,14 @@ void abuse_parameters(Fixtures& fixtures, Verdict& verdict) {
         // One call at a time is wrong, so all others must be right: else an error says nothing.
         if (complete && !reference_counting && row.result == Result::status) {
             std::string message;
-            const std::int64_t result = observed_call(row, good, "good arguments", verdict, &message);
+            const std::int64_t result =
+                observed_call(row, good, "good arguments", verdict, &message);
             verdict.check(result == MIEN_OK, name, "good arguments are refused: " + message);
         }
         for (std::size_t i = 0; i < row.parameters.size(); ++i) {
             const ParameterRow& parameter = row.parameters[i];
-            // A capacity that is larger than the host's memory is a lie that nobody can see through.
+            // A capacity that is larger than the host's memory is a lie that nobody can see
+            // through.
             if (std::string(parameter.name) == "capacity" || ends_with(name, "_init")) continue;
             for (const Attempt& attempt : wrong_arguments(fixtures, parameter)) {
                 // Fresh arguments: an earlier attempt may have written to them.
@@ -216,7 +227,8 @@ void abuse_parameters(Fixtures& fixtures, Verdict& verdict) {
             if (observed_call(row, good, "capacity 1", verdict) < 0)
                 for (int k = 0; k < 4096; ++k)
                     if (bytes[k] != 0x5A) {
-                        verdict.check(false, name, "capacity 1: failed, and the buffer was written");
+                        verdict.check(false, name,
+                                      "capacity 1: failed, and the buffer was written");
                         break;
                     }
         }
@@ -224,7 +236,8 @@ void abuse_parameters(Fixtures& fixtures, Verdict& verdict) {
         if (complete && !reference_counting && row.result == Result::status) {
             fixtures.good_arguments(row, good);
             ++verdict.calls;
-            if (row.call(good.data()) == MIEN_OK) release_outputs(row, good);  // its error argument is null
+            if (row.call(good.data()) == MIEN_OK)
+                release_outputs(row, good);  // its error argument is null
         }
     }
 }
@@ -243,14 +256,16 @@ void check_init_functions(Verdict& verdict) {
             const std::size_t written = size < 4 ? 0 : size;
             bool good = true;
             for (std::size_t i = written; i < buffer.size(); ++i) good = good && buffer[i] == 0x5A;
-            verdict.check(good, name + "_init", "writes behind the size of " + std::to_string(size));
+            verdict.check(good, name + "_init",
+                          "writes behind the size of " + std::to_string(size));
             if (written == 0) continue;
             std::uint32_t told = 0;
             std::memcpy(&told, buffer.data(), sizeof told);
             verdict.check(told == size, name + "_init", "writes another size than it was given");
             for (std::size_t i = 4; i < written; ++i)
                 good = good && buffer[i] == (i < row.size ? whole[i] : 0);
-            verdict.check(good, name + "_init", "defaults differ for a size of " + std::to_string(size));
+            verdict.check(good, name + "_init",
+                          "defaults differ for a size of " + std::to_string(size));
         }
     }
 }

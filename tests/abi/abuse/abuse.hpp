@@ -1,5 +1,5 @@
-// Calls every function of the interface with arguments that no careful host would give. The tables of
-// functions and structs are generated from the headers (tests/abi/generate_abuse.py).
+// Calls every function of the interface with arguments that no careful host would give. The tables
+// of functions and structs are generated from the headers (tests/abi/generate_abuse.py).
 #pragma once
 
 #include <mien/mien.h>
@@ -15,8 +15,22 @@ namespace abuse {
 
 /// What a parameter is, and so how it can be abused.
 enum class Kind {
-    handle, handle_out, handle_list, struct_in, struct_out, text, text_list, array_in, array_out,
-    value_out, view_out, whole, real, callback, user, error
+    handle,
+    handle_out,
+    handle_list,
+    struct_in,
+    struct_out,
+    text,
+    text_list,
+    array_in,
+    array_out,
+    value_out,
+    view_out,
+    whole,
+    real,
+    callback,
+    user,
+    error
 };
 
 enum class Result { status, nothing, pointer, value };
@@ -32,8 +46,8 @@ struct Argument {
 struct ParameterRow {
     const char* name;
     Kind kind;
-    bool nullable;      // by its documentation
-    const char* type;   // without const and stars
+    bool nullable;     // by its documentation
+    const char* type;  // without const and stars
 };
 
 struct FunctionRow {
@@ -73,8 +87,8 @@ class Fixtures {
     void* handle(const std::string& type) const;
     /// A live object of any other type.
     void* other_handle(const std::string& type) const;
-    /// A struct filled so that a call with it can succeed, `extra` zero bytes behind it. The role is the
-    /// parameter's name.
+    /// A struct filled so that a call with it can succeed, `extra` zero bytes behind it. The role
+    /// is the parameter's name.
     std::vector<std::uint64_t> structure(const StructRow& row, std::size_t extra = 0,
                                          const std::string& role = std::string()) const;
     /// Good values for all parameters of a function; false when a handle is missing.
@@ -91,7 +105,8 @@ class Fixtures {
     std::uint32_t identity_modes_ = 0, expression_modes_ = 0;
     std::vector<double> positions_;
     std::vector<std::uint32_t> triangles_, zone_;
-    std::vector<std::vector<std::uint64_t>> kept_;  // structs and outputs of the last good_arguments()
+    std::vector<std::vector<std::uint64_t>>
+        kept_;  // structs and outputs of the last good_arguments()
 };
 
 // good_values.cpp: what a careful host would give.
@@ -99,7 +114,8 @@ std::string file_of(const std::string& function);
 const char* good_text(const FunctionRow& row, const std::string& name);
 std::int64_t good_whole(const FunctionRow& row, const std::string& name);
 double good_real(const std::string& name);
-void fill_array(const std::string& name, const std::string& type, std::vector<std::uint64_t>& words);
+void fill_array(const std::string& name, const std::string& type,
+                std::vector<std::uint64_t>& words);
 void shrink_settings(const StructRow& row, std::vector<std::uint64_t>& words);
 /// Long calls end here: abuse may ask for millions of rounds. begin_call() starts the clock.
 std::int32_t MIEN_CALL stop_late(void*, std::int32_t, double);
@@ -117,8 +133,9 @@ class Verdict {
 
 /// One call with an error record of its own, checked against the promises that hold for every call:
 /// a known status, the record in agreement, a message with a failure, null handles after one.
-std::int64_t observed_call(const FunctionRow& row, std::vector<Argument> arguments, const std::string& how,
-                           Verdict& verdict, std::string* message = nullptr);
+std::int64_t observed_call(const FunctionRow& row, std::vector<Argument> arguments,
+                           const std::string& how, Verdict& verdict,
+                           std::string* message = nullptr);
 
 void abuse_parameters(Fixtures& fixtures, Verdict& verdict);
 void abuse_structs(Fixtures& fixtures, Verdict& verdict);

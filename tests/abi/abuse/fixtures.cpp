@@ -71,7 +71,8 @@ Fixtures::Fixtures() {
 
     mien_mesh* mesh = nullptr;
     const auto arrays = structure(*find_struct("mien_mesh_arrays"));
-    mien_mesh_create(session, reinterpret_cast<const mien_mesh_arrays*>(arrays.data()), &mesh, nullptr);
+    mien_mesh_create(session, reinterpret_cast<const mien_mesh_arrays*>(arrays.data()), &mesh,
+                     nullptr);
     handles_.emplace_back("mien_mesh", mesh);
 
     write_files(session);
@@ -81,9 +82,11 @@ Fixtures::Fixtures() {
             std::vector<Argument> arguments;
             for (std::size_t i = 0; i < row.parameters.size(); ++i) {
                 const ParameterRow& parameter = row.parameters[i];
-                if (parameter.kind != Kind::handle_out || handle(parameter.type) != nullptr) continue;
+                if (parameter.kind != Kind::handle_out || handle(parameter.type) != nullptr)
+                    continue;
                 void* made = nullptr;
-                if (std::string(row.name).find("_load") != std::string::npos) break;  // nothing is saved yet
+                if (std::string(row.name).find("_load") != std::string::npos)
+                    break;  // nothing is saved yet
                 if (!good_arguments(row, arguments)) break;
                 arguments[i].pointer = &made;
                 if (row.call(arguments.data()) == MIEN_OK && made != nullptr)
@@ -91,8 +94,9 @@ Fixtures::Fixtures() {
                 break;
             }
         }
-    mien_expression_model_get_counts(static_cast<mien_expression_model*>(handle("mien_expression_model")), nullptr,
-                                     &identity_modes_, &expression_modes_, nullptr);
+    mien_expression_model_get_counts(
+        static_cast<mien_expression_model*>(handle("mien_expression_model")), nullptr,
+        &identity_modes_, &expression_modes_, nullptr);
     mien_measurement* distances = nullptr;  // the other kind of measurement
     mien_measure_distance(session, mesh, mesh, nullptr, &distances, nullptr);
     distances_ = distances;
@@ -100,7 +104,8 @@ Fixtures::Fixtures() {
     // What the loading functions read.
     for (const FunctionRow& row : functions()) {
         std::vector<Argument> arguments;
-        if (std::string(row.name).find("_save") != std::string::npos && good_arguments(row, arguments))
+        if (std::string(row.name).find("_save") != std::string::npos &&
+            good_arguments(row, arguments))
             row.call(arguments.data());
     }
 }
@@ -109,9 +114,11 @@ std::vector<double> Fixtures::face(int subject, int expression) const {
     std::vector<double> positions;
     for (int y = 0; y < kSide; ++y)
         for (int x = 0; x < kSide; ++x) {
-            const double lift = expression == 0 ? 0 : (5 + 0.5 * std::sin(3.1 * subject)) * std::exp(-0.3 * y);
+            const double lift =
+                expression == 0 ? 0 : (5 + 0.5 * std::sin(3.1 * subject)) * std::exp(-0.3 * y);
             double z = 8.0 * std::sin(0.5 * x) * std::cos(0.4 * y) + 0.1 * x * y;
-            for (int k = 1; k < 5; ++k) z += std::sin(7.3 * subject + k) * std::sin(0.25 * k * x + 0.1 * k * y);
+            for (int k = 1; k < 5; ++k)
+                z += std::sin(7.3 * subject + k) * std::sin(0.25 * k * x + 0.1 * k * y);
             positions.insert(positions.end(), {10.0 * x, 10.0 * y + lift, z});
         }
     return positions;
@@ -121,7 +128,8 @@ std::vector<double> Fixtures::face(int subject, int expression) const {
 void Fixtures::write_files(mien_session* session) const {
     const char* const names[] = {"neutral", "grin"};
     mien_dataset_writer* writer = nullptr;
-    mien_dataset_writer_create(session, static_cast<mien_mesh*>(handle("mien_mesh")), names, 2, &writer, nullptr);
+    mien_dataset_writer_create(session, static_cast<mien_mesh*>(handle("mien_mesh")), names, 2,
+                               &writer, nullptr);
     for (int k = 0; k < kFaces; ++k) {
         const std::vector<double> positions = face(k / 2, k % 2);
         const mien_array_view view{positions.data(), kVertices, 0, MIEN_DTYPE_F64, 0};
@@ -133,8 +141,9 @@ void Fixtures::write_files(mien_session* session) const {
     mien_shard_options_init(&options, sizeof options);
     options.part_count = 2;
     for (options.part = 0; options.part < 2; ++options.part)
-        mien_expression_shard_create(session, kDataset, &options,
-                                     options.part == 0 ? "abuse_shard0.safetensors" : "abuse_shard1.safetensors", nullptr);
+        mien_expression_shard_create(
+            session, kDataset, &options,
+            options.part == 0 ? "abuse_shard0.safetensors" : "abuse_shard1.safetensors", nullptr);
 }
 
 Fixtures::~Fixtures() {
@@ -155,10 +164,13 @@ void* Fixtures::other_handle(const std::string& type) const {
     return handle(type == "mien_mesh" ? "mien_session" : "mien_mesh");
 }
 
-std::vector<std::uint64_t> Fixtures::structure(const StructRow& row, std::size_t extra, const std::string& role) const {
+std::vector<std::uint64_t> Fixtures::structure(const StructRow& row, std::size_t extra,
+                                               const std::string& role) const {
     std::vector<std::uint64_t> bytes((row.size + extra + 7) / 8, 0);
-    if (row.init != nullptr) row.init(bytes.data(), row.size + extra);
-    else if (row.tells_its_size) put(bytes, 0, static_cast<std::uint32_t>(row.size + extra));
+    if (row.init != nullptr)
+        row.init(bytes.data(), row.size + extra);
+    else if (row.tells_its_size)
+        put(bytes, 0, static_cast<std::uint32_t>(row.size + extra));
     mien_array_view points{positions_.data(), kVertices, 0, MIEN_DTYPE_F64, 0};
     if (role == "identity") points.count = identity_modes_;
     if (role == "expression") points.count = expression_modes_;
@@ -167,18 +179,22 @@ std::vector<std::uint64_t> Fixtures::structure(const StructRow& row, std::size_t
     if (name == "mien_mesh_arrays") {
         put(bytes, offsetof(mien_mesh_arrays, positions), points);
         put(bytes, offsetof(mien_mesh_arrays, triangles), triangles_.data());
-        put(bytes, offsetof(mien_mesh_arrays, triangle_count), std::uint64_t{triangles_.size() / 3});
+        put(bytes, offsetof(mien_mesh_arrays, triangle_count),
+            std::uint64_t{triangles_.size() / 3});
     }
     for (const FieldRow& field : row.fields) {
         const std::string label = field.name;
-        if (label == "progress" && field.kind == Field::callback) put(bytes, field.offset, &stop_late);
+        if (label == "progress" && field.kind == Field::callback)
+            put(bytes, field.offset, &stop_late);
         // Structs without an init function: a named set of vertices, a place with its noise.
         if (row.init == nullptr && label == "name" && std::string(row.fields[1].name) != "vertex")
             put(bytes, field.offset, static_cast<const char*>("zone"));
         if (row.init == nullptr && !row.tells_its_size && field.kind == Field::real64)
-            for (std::size_t k = 0; k < field.size; k += sizeof(double)) put(bytes, field.offset + k, 1.0);
+            for (std::size_t k = 0; k < field.size; k += sizeof(double))
+                put(bytes, field.offset + k, 1.0);
         if (row.init == nullptr && label == "vertices") put(bytes, field.offset, zone_.data());
-        if (row.init == nullptr && label == "vertex_count" && field.kind == Field::whole64 && !row.tells_its_size)
+        if (row.init == nullptr && label == "vertex_count" && field.kind == Field::whole64 &&
+            !row.tells_its_size)
             put(bytes, field.offset, std::uint64_t{zone_.size()});
     }
     shrink_settings(row, bytes);
@@ -192,7 +208,8 @@ std::vector<std::uint64_t> Fixtures::structure(const StructRow& row, std::size_t
 
 bool Fixtures::good_arguments(const FunctionRow& row, std::vector<Argument>& arguments) {
     static const char* const names[] = {"neutral", "grin", nullptr};
-    static const char* const shards[] = {"abuse_shard0.safetensors", "abuse_shard1.safetensors", nullptr};
+    static const char* const shards[] = {"abuse_shard0.safetensors", "abuse_shard1.safetensors",
+                                         nullptr};
     begin_call();
     std::int64_t file_size = 0;
     kept_.clear();
@@ -204,8 +221,10 @@ bool Fixtures::good_arguments(const FunctionRow& row, std::vector<Argument>& arg
         Argument& argument = arguments[i];
         switch (parameter.kind) {
             case Kind::handle:
-                argument.pointer = name == "cancel" && parameter.nullable ? nullptr : handle(parameter.type);
-                if (std::string(row.name) == "mien_measurement_get_distance") argument.pointer = distances_;
+                argument.pointer =
+                    name == "cancel" && parameter.nullable ? nullptr : handle(parameter.type);
+                if (std::string(row.name) == "mien_measurement_get_distance")
+                    argument.pointer = distances_;
                 complete = complete && (argument.pointer != nullptr || parameter.nullable);
                 break;
             case Kind::struct_in:
@@ -246,10 +265,15 @@ bool Fixtures::good_arguments(const FunctionRow& row, std::vector<Argument>& arg
             case Kind::whole:
                 argument.whole = name == "size" ? file_size : good_whole(row, name);
                 break;
-            case Kind::real: argument.real = good_real(name); break;
-            case Kind::callback: argument.function = reinterpret_cast<void (*)()>(&stop_late); break;
+            case Kind::real:
+                argument.real = good_real(name);
+                break;
+            case Kind::callback:
+                argument.function = reinterpret_cast<void (*)()>(&stop_late);
+                break;
             case Kind::user:
-            case Kind::error: break;
+            case Kind::error:
+                break;
         }
     }
     return complete;

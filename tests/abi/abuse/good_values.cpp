@@ -1,4 +1,5 @@
-// What each parameter and setting would be given by a careful host: abuse changes one of them at a time.
+// What each parameter and setting would be given by a careful host: abuse changes one of them at a
+// time.
 #include <chrono>
 #include <cstring>
 #include <deque>
@@ -19,11 +20,16 @@ struct Setting {
 
 /// Small models of small sheets.
 constexpr Setting kSettings[] = {
-    {"mien_model_options", "num_modes", 60},     {"mien_train_options", "identity_modes", 4},
-    {"mien_train_options", "expression_modes", 3}, {"mien_spectral_basis_options", "mode_count", 20},
-    {"mien_register_options", "iterations", 3},  {"mien_register_options", "start", MIEN_START_POSE},
-    {"mien_tune_options", "num_modes", 30},      {"mien_neutralize_options", "uncertainty", 1},
-    {"mien_score_options", "folds", 3},          {"mien_score_options", "max_components", 2},
+    {"mien_model_options", "num_modes", 60},
+    {"mien_train_options", "identity_modes", 4},
+    {"mien_train_options", "expression_modes", 3},
+    {"mien_spectral_basis_options", "mode_count", 20},
+    {"mien_register_options", "iterations", 3},
+    {"mien_register_options", "start", MIEN_START_POSE},
+    {"mien_tune_options", "num_modes", 30},
+    {"mien_neutralize_options", "uncertainty", 1},
+    {"mien_score_options", "folds", 3},
+    {"mien_score_options", "max_components", 2},
 };
 
 struct Number {
@@ -66,9 +72,13 @@ std::int32_t MIEN_CALL stop_late(void*, std::int32_t, double) {
     return Clock::now() - call_began > std::chrono::milliseconds(patience_ms) ? 1 : 0;
 }
 
-void set_patience(int milliseconds) { patience_ms = milliseconds; }
+void set_patience(int milliseconds) {
+    patience_ms = milliseconds;
+}
 
-void begin_call() { call_began = Clock::now(); }
+void begin_call() {
+    call_began = Clock::now();
+}
 
 std::string file_of(const std::string& function) {
     // mien_score_model_load_trusted -> abuse_score_model.safetensors
@@ -88,24 +98,37 @@ const char* good_text(const FunctionRow& row, const std::string& name) {
 
 std::int64_t good_whole(const FunctionRow& row, const std::string& name) {
     for (const Number& number : kNumbers)
-        if (name == number.parameter && std::strstr(row.name, number.function) != nullptr) return number.value;
+        if (name == number.parameter && std::strstr(row.name, number.function) != nullptr)
+            return number.value;
     return name.find("count") != std::string::npos ? 2 : 0;
 }
 
-double good_real(const std::string& name) { return name == "factor" || name == "max_distance_mm" ? 4 : 1; }
+double good_real(const std::string& name) {
+    return name == "factor" || name == "max_distance_mm" ? 4 : 1;
+}
 
-void fill_array(const std::string& name, const std::string& type, std::vector<std::uint64_t>& words) {
+void fill_array(const std::string& name, const std::string& type,
+                std::vector<std::uint64_t>& words) {
     char* const bytes = reinterpret_cast<char*>(words.data());
-    const auto put = [&](std::size_t i, auto value) { std::memcpy(bytes + i * sizeof value, &value, sizeof value); };
+    const auto put = [&](std::size_t i, auto value) {
+        std::memcpy(bytes + i * sizeof value, &value, sizeof value);
+    };
     for (std::size_t i = 0; i < 512; ++i) {
         const auto number = static_cast<std::int32_t>(i);
-        if (name == "direction") put(i, i == 2 ? 1.0 : 0.0);
-        else if (name == "motion") put(i, i == 0 || i == 4 || i == 8 ? 1.0 : 0.0);
-        else if (name == "ratings") put(i, (number + number / 7) % 4);
-        else if (name == "subjects") put(i, number / 2);
-        else if (type == "int32_t" || type == "uint32_t") put(i, number);
-        else if (type == "uint64_t") put(i, std::uint64_t{5 * (i + 1)});
-        else if (type == "double") put(i, static_cast<double>(i % 7) + 0.01 * number);
+        if (name == "direction")
+            put(i, i == 2 ? 1.0 : 0.0);
+        else if (name == "motion")
+            put(i, i == 0 || i == 4 || i == 8 ? 1.0 : 0.0);
+        else if (name == "ratings")
+            put(i, (number + number / 7) % 4);
+        else if (name == "subjects")
+            put(i, number / 2);
+        else if (type == "int32_t" || type == "uint32_t")
+            put(i, number);
+        else if (type == "uint64_t")
+            put(i, std::uint64_t{5 * (i + 1)});
+        else if (type == "double")
+            put(i, static_cast<double>(i % 7) + 0.01 * number);
     }
 }
 
@@ -113,7 +136,8 @@ void shrink_settings(const StructRow& row, std::vector<std::uint64_t>& words) {
     char* const bytes = reinterpret_cast<char*>(words.data());
     for (const Setting& setting : kSettings)
         for (const FieldRow& field : row.fields)
-            if (std::strcmp(row.name, setting.structure) == 0 && std::strcmp(field.name, setting.field) == 0)
+            if (std::strcmp(row.name, setting.structure) == 0 &&
+                std::strcmp(field.name, setting.field) == 0)
                 std::memcpy(bytes + field.offset, &setting.value, sizeof setting.value);
     if (std::strcmp(row.name, "mien_tune_options") == 0) {
         static const double sigmas[] = {20, 40};

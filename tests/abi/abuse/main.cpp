@@ -1,6 +1,6 @@
-// Runs all abuse, in silence: whatever the library would print shows up as a fault. An argument names a
-// file for the trace of all calls ("-": none), a second one how many milliseconds a call may take before its
-// progress callback ends it (for slow tools such as valgrind).
+// Runs all abuse, in silence: whatever the library would print shows up as a fault. An argument
+// names a file for the trace of all calls ("-": none), a second one how many milliseconds a call
+// may take before its progress callback ends it (for slow tools such as valgrind).
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -26,7 +26,8 @@ class OwnFolder {
   public:
     OwnFolder() : before_(std::filesystem::current_path()) {
         std::random_device chance;
-        folder_ = std::filesystem::temp_directory_path() / ("mien_abuse_" + std::to_string(chance()));
+        folder_ =
+            std::filesystem::temp_directory_path() / ("mien_abuse_" + std::to_string(chance()));
         std::filesystem::create_directory(folder_);
         std::filesystem::current_path(folder_);
     }
@@ -74,7 +75,8 @@ int main(int argc, char** argv) {
         std::vector<Argument> good;
         const FunctionRow& create = *find_function("mien_mesh_create");
         fixtures.good_arguments(create, good);
-        verdict.check(observed_call(create, good, "afterwards", verdict) == MIEN_OK, create.name, "fails after the abuse");
+        verdict.check(observed_call(create, good, "afterwards", verdict) == MIEN_OK, create.name,
+                      "fails after the abuse");
     }
     std::fflush(stdout);
     std::fflush(stderr);
@@ -87,7 +89,7 @@ int main(int argc, char** argv) {
     }
     verdict.check(missing.empty(), "the fixtures", "make none of these: " + missing);
     for (const std::string& fault : verdict.faults) std::printf("FAILED: %s\n", fault.c_str());
-    std::printf("%d calls of %zu functions over %zu structs, %zu faults\n", verdict.calls, functions().size(),
-                structs().size(), verdict.faults.size());
+    std::printf("%d calls of %zu functions over %zu structs, %zu faults\n", verdict.calls,
+                functions().size(), structs().size(), verdict.faults.size());
     return verdict.faults.empty() ? 0 : 1;
 }

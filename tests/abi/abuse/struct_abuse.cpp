@@ -7,7 +7,9 @@
 namespace abuse {
 namespace {
 
-char* bytes_of(std::vector<std::uint64_t>& words) { return reinterpret_cast<char*>(words.data()); }
+char* bytes_of(std::vector<std::uint64_t>& words) {
+    return reinterpret_cast<char*>(words.data());
+}
 
 struct Case {
     const FunctionRow& row;
@@ -16,7 +18,8 @@ struct Case {
     bool complete;      // every handle is live, so only the struct is wrong
 };
 
-std::int64_t call_with(const Case& c, Fixtures& fixtures, void* structure, const std::string& how, Verdict& verdict) {
+std::int64_t call_with(const Case& c, Fixtures& fixtures, void* structure, const std::string& how,
+                       Verdict& verdict) {
     std::vector<Argument> arguments;
     fixtures.good_arguments(c.row, arguments);
     arguments[c.index].pointer = structure;
@@ -29,19 +32,24 @@ void abuse_size(const Case& c, Fixtures& fixtures, Verdict& verdict) {
     for (const std::uint32_t size : {0u, 3u, 4u, 0xffffffffu}) {
         auto structure = fixtures.structure(c.layout, 0, c.row.parameters[c.index].name);
         std::memcpy(structure.data(), &size, sizeof size);
-        verdict.check(call_with(c, fixtures, structure.data(), label + " of size " + std::to_string(size), verdict) < 0,
+        verdict.check(call_with(c, fixtures, structure.data(),
+                                label + " of size " + std::to_string(size), verdict) < 0,
                       c.row.name, label + " of size " + std::to_string(size) + " is accepted");
     }
     if (!c.complete) return;
     auto exact = fixtures.structure(c.layout, 0, c.row.parameters[c.index].name);
-    const std::int64_t expected = call_with(c, fixtures, exact.data(), label + " of exact size", verdict);
-    verdict.check(expected != MIEN_E_UNSUPPORTED_OPTION, c.row.name, label + " of exact size is refused");
+    const std::int64_t expected =
+        call_with(c, fixtures, exact.data(), label + " of exact size", verdict);
+    verdict.check(expected != MIEN_E_UNSUPPORTED_OPTION, c.row.name,
+                  label + " of exact size is refused");
     auto zero_tail = fixtures.structure(c.layout, 16, c.row.parameters[c.index].name);
-    verdict.check(call_with(c, fixtures, zero_tail.data(), label + " with a zero tail", verdict) == expected, c.row.name,
-                  label + " with a zero tail is treated otherwise than the exact size");
+    verdict.check(
+        call_with(c, fixtures, zero_tail.data(), label + " with a zero tail", verdict) == expected,
+        c.row.name, label + " with a zero tail is treated otherwise than the exact size");
     auto tail = fixtures.structure(c.layout, 16, c.row.parameters[c.index].name);
     bytes_of(tail)[c.layout.size + 9] = 1;
-    verdict.check(call_with(c, fixtures, tail.data(), label + " with a set tail", verdict) == MIEN_E_UNSUPPORTED_OPTION,
+    verdict.check(call_with(c, fixtures, tail.data(), label + " with a set tail", verdict) ==
+                      MIEN_E_UNSUPPORTED_OPTION,
                   c.row.name, label + " with a set tail is not MIEN_E_UNSUPPORTED_OPTION");
 }
 
@@ -53,7 +61,8 @@ void abuse_fields(const Case& c, Fixtures& fixtures, Verdict& verdict) {
         const auto attempt = [&](const auto& value, const char* what, bool must_fail) {
             auto structure = fixtures.structure(c.layout, 0, c.row.parameters[c.index].name);
             std::memcpy(bytes_of(structure) + field.offset, &value, sizeof value);
-            const std::int64_t result = call_with(c, fixtures, structure.data(), how + " " + what, verdict);
+            const std::int64_t result =
+                call_with(c, fixtures, structure.data(), how + " " + what, verdict);
             if (must_fail) verdict.check(result < 0, c.row.name, how + " " + what + " is accepted");
         };
         const bool reserved = name.find("reserved") != std::string::npos;
@@ -94,7 +103,8 @@ void abuse_fields(const Case& c, Fixtures& fixtures, Verdict& verdict) {
             }
             case Field::pointer:
             case Field::callback:
-            case Field::bytes: break;
+            case Field::bytes:
+                break;
         }
     }
 }
@@ -102,13 +112,17 @@ void abuse_fields(const Case& c, Fixtures& fixtures, Verdict& verdict) {
 /// A view with a value that is no number.
 void abuse_values(const Case& c, Fixtures& fixtures, Verdict& verdict) {
     std::vector<double> positions(3 * Fixtures::kVertices, 1.0);
-    for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    for (const double bad :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
         positions[0] = bad;
         auto structure = fixtures.structure(c.layout, 0, c.row.parameters[c.index].name);
         const auto* data = positions.data();
         std::memcpy(structure.data(), &data, sizeof data);
-        verdict.check(call_with(c, fixtures, structure.data(), "values that are not finite", verdict) < 0, c.row.name,
-                      std::string(c.row.parameters[c.index].name) + " with a value that is not finite is accepted");
+        verdict.check(
+            call_with(c, fixtures, structure.data(), "values that are not finite", verdict) < 0,
+            c.row.name,
+            std::string(c.row.parameters[c.index].name) +
+                " with a value that is not finite is accepted");
     }
 }
 
@@ -124,7 +138,8 @@ void abuse_structs(Fixtures& fixtures, Verdict& verdict) {
             const Case c{row, *find_struct(row.parameters[i].type), i, complete};
             if (c.layout.tells_its_size) abuse_size(c, fixtures, verdict);
             if (complete) abuse_fields(c, fixtures, verdict);
-            if (complete && std::string(c.layout.name) == "mien_array_view") abuse_values(c, fixtures, verdict);
+            if (complete && std::string(c.layout.name) == "mien_array_view")
+                abuse_values(c, fixtures, verdict);
             alignas(16) static char room[4096];
             auto structure = fixtures.structure(c.layout, 0, c.row.parameters[c.index].name);
             std::memcpy(room + 1, structure.data(), c.layout.size);

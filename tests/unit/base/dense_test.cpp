@@ -26,7 +26,8 @@ TEST(Dense, ProductsAgreeWithPlainEigen) {
     dense::multiply({}, 1.0, a, dense::Op::transpose, a, dense::Op::none, 0.0, d);
     EXPECT_LT((d - a.transpose() * a).cwiseAbs().maxCoeff(), 1e-10);
     Matrix e(41, 703);
-    dense::multiply({}, 1.0, a, dense::Op::transpose, Matrix::Identity(703, 703), dense::Op::transpose, 0.0, e);
+    dense::multiply({}, 1.0, a, dense::Op::transpose, Matrix::Identity(703, 703),
+                    dense::Op::transpose, 0.0, e);
     EXPECT_LT((e - a.transpose()).cwiseAbs().maxCoeff(), 1e-12);
 }
 
@@ -73,7 +74,8 @@ TEST(Dense, ThinProductsAgreeWithPlainEigenOnBothInstructionSets) {
     const dense::Field expanded = given + a * x;
     const dense::Field changed = 2 * expanded;
     // In double precision: Eigen's own order of summation differs between processors.
-    const Eigen::MatrixXf projected = (a.cast<double>().transpose() * changed.cast<double>()).cast<float>();
+    const Eigen::MatrixXf projected =
+        (a.cast<double>().transpose() * changed.cast<double>()).cast<float>();
     for (const bool portable : {true, false}) {
         dense::use_portable_loops(portable);
         dense::Field field = given;
@@ -124,8 +126,10 @@ TEST(Dense, ThinProductsHaveTheSameBitsForAnyThreadCount) {
     context.pool = &pool;
     dense::Field one = dense::Field::Zero(5000, 3), many = one;
     Eigen::MatrixXf projected_one, projected_many;
-    dense::expand_and_project({}, a, x, one, [](Index, Index) {}, projected_one);
-    dense::expand_and_project(context, a, x, many, [](Index, Index) {}, projected_many);
+    dense::expand_and_project(
+        {}, a, x, one, [](Index, Index) {}, projected_one);
+    dense::expand_and_project(
+        context, a, x, many, [](Index, Index) {}, projected_many);
     EXPECT_TRUE((one.array() == many.array()).all());
     EXPECT_TRUE((projected_one.array() == projected_many.array()).all());
 }

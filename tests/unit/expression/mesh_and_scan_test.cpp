@@ -60,7 +60,8 @@ TEST(NeutralizeMesh, LargerTemplatesMoveSmoothlyBehindTheRim) {
 TEST(NeutralizeMesh, AForeignTopologyIsRefused) {
     TriMesh mesh = enlarged(study().face(80, 4), 2);
     mesh.triangles(3, 1) = 0;
-    EXPECT_EQ(match_topology(trained_model<10>(), mesh.vertices.rows(), mesh.triangles), TopologyMatch::none);
+    EXPECT_EQ(match_topology(trained_model<10>(), mesh.vertices.rows(), mesh.triangles),
+              TopologyMatch::none);
     try {
         neutralize_mesh(Context(), trained_model<10>(), mesh, Vector(), {});
         FAIL() << "no error";
@@ -76,15 +77,19 @@ TEST(Neutralize, RigidMotionOfTheInputMovesTheResultAlong) {
     motion.translation = Vector3(200, -50, 90);
     NeutralizeOptions rigid;
     rigid.pose = Pose::rigid;
-    const Points here = neutralize(Context(), trained_model<10>(), face, Vector(), rigid).neutral_vertices;
+    const Points here =
+        neutralize(Context(), trained_model<10>(), face, Vector(), rigid).neutral_vertices;
     const Points there =
-        neutralize(Context(), trained_model<10>(), motion.apply(PointsRef(face)), Vector(), rigid).neutral_vertices;
+        neutralize(Context(), trained_model<10>(), motion.apply(PointsRef(face)), Vector(), rigid)
+            .neutral_vertices;
     EXPECT_LT(mean_distance(motion.apply(PointsRef(here)), there), 1e-3);
     // Without being told, a face that lies far away is found out.
     const Points found =
-        neutralize(Context(), trained_model<10>(), motion.apply(PointsRef(face)), Vector(), {}).neutral_vertices;
+        neutralize(Context(), trained_model<10>(), motion.apply(PointsRef(face)), Vector(), {})
+            .neutral_vertices;
     EXPECT_LT(mean_distance(found, there), 1e-9);
-    EXPECT_LT(mean_distance(here, study().neutral(81)), 0.6 * mean_distance(face, study().neutral(81)));
+    EXPECT_LT(mean_distance(here, study().neutral(81)),
+              0.6 * mean_distance(face, study().neutral(81)));
 }
 
 TEST(ScanTransfer, AScanThatIsTheFaceItselfMovesLikeTheFace) {
@@ -114,13 +119,16 @@ TEST(ScanTransfer, FarPartsKeepTheirShape) {
     const Points neutral = turn.apply(PointsRef(fitted.vertices));
     TriMesh scan = enlarged(study().rest, 6);
     for (Index i = study().rest.rows(); i < scan.vertices.rows(); ++i)
-        scan.vertices(i, 2) += 8.0 * (1.0 + static_cast<double>(i - study().rest.rows()) / study().side);
+        scan.vertices(i, 2) +=
+            8.0 * (1.0 + static_cast<double>(i - study().rest.rows()) / study().side);
     const ScanTransferResult result = transfer_to_scan(Context(), fitted, neutral, scan, {});
     EXPECT_GT(result.num_far_vertices, 0);
     const Points expected = turn.apply(PointsRef(scan.vertices));
     // The flap moves by up to 19 mm; where it passes over into the face the two motions blend.
     EXPECT_LT((result.scan.vertices - expected).rowwise().norm().maxCoeff(), 1.5);
-    EXPECT_LT((result.scan.vertices - expected).bottomRows(2 * study().side).rowwise().norm().maxCoeff(), 1.0);
+    EXPECT_LT(
+        (result.scan.vertices - expected).bottomRows(2 * study().side).rowwise().norm().maxCoeff(),
+        1.0);
 }
 
 TEST(ScanTransfer, PointCloudsAndDetachedPiecesAreTaken) {
@@ -130,18 +138,21 @@ TEST(ScanTransfer, PointCloudsAndDetachedPiecesAreTaken) {
     TriMesh cloud;
     cloud.vertices = study().rest;
     const Points neutral = (study().rest.rowwise() + Eigen::RowVector3d(1, 2, 3)).eval();
-    EXPECT_LT(mean_distance(transfer_to_scan(Context(), fitted, neutral, cloud, {}).scan.vertices, neutral),
+    EXPECT_LT(mean_distance(transfer_to_scan(Context(), fitted, neutral, cloud, {}).scan.vertices,
+                            neutral),
               1e-9);
     EXPECT_THROW(transfer_to_scan(Context(), fitted, neutral.topRows(5), cloud, {}), Error);
 }
 
 TEST(Sampling, RandomFacesFollowTheModelAndTheirSeed) {
-    EXPECT_TRUE(sample_face(Context(), trained_model<10>(), 5, "open") == sample_face(Context(), trained_model<10>(), 5, "open"));
-    EXPECT_FALSE(sample_face(Context(), trained_model<10>(), 5, "open") == sample_face(Context(), trained_model<10>(), 6, "open"));
+    EXPECT_TRUE(sample_face(Context(), trained_model<10>(), 5, "open") ==
+                sample_face(Context(), trained_model<10>(), 5, "open"));
+    EXPECT_FALSE(sample_face(Context(), trained_model<10>(), 5, "open") ==
+                 sample_face(Context(), trained_model<10>(), 6, "open"));
     Vector sum = Vector::Zero(trained_model<10>().num_identity_modes()), square = sum;
     for (std::uint64_t seed = 0; seed < 400; ++seed) {
-        const Vector z = sample_coordinates(trained_model<10>(), seed, "").identity.cwiseQuotient(
-            trained_model<10>().identity_deviations);
+        const Vector z = sample_coordinates(trained_model<10>(), seed, "")
+                             .identity.cwiseQuotient(trained_model<10>().identity_deviations);
         sum += z;
         square += z.cwiseAbs2();
     }
@@ -157,10 +168,13 @@ TEST(Sampling, TransferredExpressionComesOffAgain) {
     target.vertices = study().neutral(84);
     target.triangles = study().triangles;
     TriMesh worn = target;
-    worn.vertices = transfer_expression(Context(), trained_model<10>(), target, Similarity(), source.expression);
+    worn.vertices = transfer_expression(Context(), trained_model<10>(), target, Similarity(),
+                                        source.expression);
     EXPECT_GT(mean_distance(worn.vertices, target.vertices), 0.3);
-    const Points back = neutralize(Context(), trained_model<10>(), worn.vertices, Vector(), {}).neutral_vertices;
-    EXPECT_LT(mean_distance(back, target.vertices), 0.3 * mean_distance(worn.vertices, target.vertices));
+    const Points back =
+        neutralize(Context(), trained_model<10>(), worn.vertices, Vector(), {}).neutral_vertices;
+    EXPECT_LT(mean_distance(back, target.vertices),
+              0.3 * mean_distance(worn.vertices, target.vertices));
 }
 
 }  // namespace

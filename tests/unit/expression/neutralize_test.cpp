@@ -42,18 +42,21 @@ TEST(Neutralize, WhatOrthogonalityTookFromTheExpressionComesBackInFitsWithAPrior
     options.subspaces.identity_modes = 10;
     options.subspaces.expression_modes = 8;
     options.subspaces.method = TrainMethod::quasi_orthogonal;
-    const auto quasi = train_expression_model(study().dataset(0, study().subjects, "spill"), options, Context());
+    const auto quasi =
+        train_expression_model(study().dataset(0, study().subjects, "spill"), options, Context());
     ASSERT_FALSE(quasi->spill.empty());
     ASSERT_TRUE(trained_model<10>().spill.empty());
     double before = 0, joint = 0, orthogonal = 0, changed = 0;
     for (int subject = 50; subject < 60; ++subject) {
         const Points truth = study().neutral(subject);
-        changed += mean_distance(neutralize(Context(), *quasi, truth, Vector(), {}).neutral_vertices, truth);
+        changed += mean_distance(
+            neutralize(Context(), *quasi, truth, Vector(), {}).neutral_vertices, truth);
         for (int expression = 1; expression < 5; ++expression) {
             const Points face = study().face(subject, expression);
             before += mean_distance(face, truth);
             joint += mean_distance(neutralized(face, FitMethod::mixture), truth);
-            orthogonal += mean_distance(neutralize(Context(), *quasi, face, Vector(), {}).neutral_vertices, truth);
+            orthogonal += mean_distance(
+                neutralize(Context(), *quasi, face, Vector(), {}).neutral_vertices, truth);
         }
     }
     EXPECT_LT(orthogonal, 0.35 * before);
@@ -66,14 +69,16 @@ TEST(Neutralize, TheExactFitOfAQuasiOrthogonalModelTakesItsExpressionModesOffAnd
     train.subspaces.identity_modes = 10;
     train.subspaces.expression_modes = 8;
     train.subspaces.method = TrainMethod::quasi_orthogonal;
-    const auto quasi = train_expression_model(study().dataset(0, study().subjects, "plain"), train, Context());
+    const auto quasi =
+        train_expression_model(study().dataset(0, study().subjects, "plain"), train, Context());
     NeutralizeOptions options;
     options.fit.method = FitMethod::exact;
     const Points face = study().face(57, 1);
     const NeutralizationResult result = neutralize(Context(), *quasi, face, Vector(), options);
     Vector moved = Vector::Zero(3 * face.rows());
     add_modes(Context(), quasi->expression_modes, -result.expression, moved);
-    EXPECT_LT(mean_distance(result.neutral_vertices, face + Eigen::Map<const Points>(moved.data(), face.rows(), 3)),
+    EXPECT_LT(mean_distance(result.neutral_vertices,
+                            face + Eigen::Map<const Points>(moved.data(), face.rows(), 3)),
               1e-9);
 }
 
@@ -100,7 +105,8 @@ TEST(Neutralize, AlternationConvergesToTheExactFit) {
     options.fit.method = FitMethod::alternating;
     options.fit.max_sweeps = 20000;
     options.fit.tolerance = 1e-12;
-    const NeutralizationResult result = neutralize(Context(), trained_model<10>(), face, Vector(), options);
+    const NeutralizationResult result =
+        neutralize(Context(), trained_model<10>(), face, Vector(), options);
     EXPECT_LT(mean_distance(result.neutral_vertices, neutralized(face, FitMethod::exact)), 1e-3);
     options.fit.max_sweeps = 3;
     EXPECT_EQ(neutralize(Context(), trained_model<10>(), face, Vector(), options).sweeps, 3);
@@ -142,10 +148,12 @@ TEST(Neutralize, UncertaintyIsLargerWhereTheFaceIsUnseen) {
     NeutralizeOptions options;
     options.uncertainty = true;
     Vector weights = Vector::Ones(face.rows());
-    const Vector seen = neutralize(Context(), trained_model<10>(), face, weights, options).uncertainty_mm;
+    const Vector seen =
+        neutralize(Context(), trained_model<10>(), face, weights, options).uncertainty_mm;
     ASSERT_EQ(seen.size(), face.rows());
     for (Index i = 0; i < face.rows() / 2; ++i) weights[i] = 0.0;
-    const Vector half = neutralize(Context(), trained_model<10>(), face, weights, options).uncertainty_mm;
+    const Vector half =
+        neutralize(Context(), trained_model<10>(), face, weights, options).uncertainty_mm;
     EXPECT_GT(half.mean(), 1.2 * seen.mean());
     EXPECT_GE(seen.minCoeff(), 0.0);
 }
@@ -163,7 +171,8 @@ TEST(Neutralize, StatedUncertaintyHoldsTheErrorOfSeenAndOfUnseenVertices) {
                 weights[i] = 0.0;
                 face.row(i).setConstant(std::numeric_limits<double>::quiet_NaN());
             }
-            const NeutralizationResult result = neutralize(Context(), trained_model<10>(), face, weights, options);
+            const NeutralizationResult result =
+                neutralize(Context(), trained_model<10>(), face, weights, options);
             EXPECT_EQ(neutralization_warnings(trained_model<10>(), result).empty(), false);
             const Points truth = study().neutral(subject);
             for (Index i = 0; i < face.rows(); ++i) {
@@ -176,11 +185,13 @@ TEST(Neutralize, StatedUncertaintyHoldsTheErrorOfSeenAndOfUnseenVertices) {
             }
         }
     for (int seen : {0, 1}) {
-        EXPECT_GT(static_cast<double>(held[seen]), 0.85 * static_cast<double>(count[seen])) << "seen " << seen;
+        EXPECT_GT(static_cast<double>(held[seen]), 0.85 * static_cast<double>(count[seen]))
+            << "seen " << seen;
         EXPECT_LT(stated[seen], 5.0 * error[seen]) << "seen " << seen;  // and says something
     }
-    EXPECT_TRUE(neutralization_warnings(trained_model<10>(),
-                                        neutralize(Context(), trained_model<10>(), study().face(51, 1), Vector(), {}))
+    EXPECT_TRUE(neutralization_warnings(
+                    trained_model<10>(),
+                    neutralize(Context(), trained_model<10>(), study().face(51, 1), Vector(), {}))
                     .empty());
 }
 
@@ -191,7 +202,8 @@ TEST(Neutralize, ABadlyMeasuredNeutralFaceIsNotGivenAnExpression) {
     Points face = truth;
     for (Index i = 0; i < face.rows(); ++i)
         face(i, 2) += 2.0 * std::sin(0.09 * face(i, 0)) * std::cos(0.11 * face(i, 1));
-    const NeutralizationResult careful = neutralize(Context(), trained_model<10>(), face, Vector(), {});
+    const NeutralizationResult careful =
+        neutralize(Context(), trained_model<10>(), face, Vector(), {});
     EXPECT_GT(careful.doubted_share, 0.2);
     EXPECT_LT(careful.mean_displacement_mm, 0.2 * mean_distance(face, truth));
     EXPECT_EQ(careful.component_probabilities.size(), trained_model<10>().components.size());
@@ -210,14 +222,17 @@ TEST(Neutralize, WhatNoFaceExplainsIsDoubtedAndMisleadsTheRestNoMore) {
         const Index first = face.rows() - 3 * study().side;
         for (Index i = first; i < face.rows(); ++i) face(i, 2) += 25.0;
         NeutralizeOptions trusting;
-        trusting.fit.noise_mm2 = trained_model<10>().mixture_noise_mm2;  // a noise that is given is not questioned
-        const NeutralizationResult careful = neutralize(Context(), trained_model<10>(), face, Vector(), {});
+        trusting.fit.noise_mm2 =
+            trained_model<10>().mixture_noise_mm2;  // a noise that is given is not questioned
+        const NeutralizationResult careful =
+            neutralize(Context(), trained_model<10>(), face, Vector(), {});
         EXPECT_GT(careful.doubted_share, 0.1);
         before += mean_distance(whole.topRows(first), truth.topRows(first));
         doubted += mean_distance(careful.neutral_vertices.topRows(first), truth.topRows(first));
-        believed += mean_distance(
-            neutralize(Context(), trained_model<10>(), face, Vector(), trusting).neutral_vertices.topRows(first),
-            truth.topRows(first));
+        believed +=
+            mean_distance(neutralize(Context(), trained_model<10>(), face, Vector(), trusting)
+                              .neutral_vertices.topRows(first),
+                          truth.topRows(first));
     }
     EXPECT_LT(doubted, 0.5 * before);
     EXPECT_LT(doubted, 0.7 * believed);
@@ -229,7 +244,8 @@ TEST(Neutralize, ADroppedJawIsNotTakenForANod) {
     double angle = 0;
     for (int subject = 50; subject < 60; ++subject) {
         const Similarity pose =
-            neutralize(Context(), trained_model<10>(), study().face(subject, 1), Vector(), rigid).pose;
+            neutralize(Context(), trained_model<10>(), study().face(subject, 1), Vector(), rigid)
+                .pose;
         angle += std::acos(std::min(1.0, 0.5 * (pose.rotation.trace() - 1.0))) * 18.0 / 3.14159265;
     }
     EXPECT_LT(angle, 1.0);  // degrees, mean over the faces, which lie straight
@@ -246,7 +262,8 @@ TEST(Neutralize, RefusesWhatDoesNotFit) {
     };
     Points face = study().face(50, 1);
     EXPECT_EQ(status_of([&] { neutralized(face.topRows(10), FitMethod::map); }), Status::mismatch);
-    EXPECT_EQ(status_of([&] { neutralized(face, FitMethod::map, Vector::Ones(3)); }), Status::mismatch);
+    EXPECT_EQ(status_of([&] { neutralized(face, FitMethod::map, Vector::Ones(3)); }),
+              Status::mismatch);
     EXPECT_EQ(status_of([&] { neutralized(face, FitMethod::map, -Vector::Ones(face.rows())); }),
               Status::invalid_argument);
     EXPECT_EQ(status_of([&] { neutralized(face, FitMethod::exact, Vector::Zero(face.rows())); }),
@@ -255,8 +272,11 @@ TEST(Neutralize, RefusesWhatDoesNotFit) {
     EXPECT_EQ(status_of([&] { neutralized(face, FitMethod::map); }), Status::invalid_mesh);
     Triangles other = study().triangles;
     std::swap(other(0, 0), other(0, 1));
-    EXPECT_EQ(status_of([&] { check_topology(trained_model<10>(), face.rows(), other); }), Status::mismatch);
-    EXPECT_EQ(status_of([&] { check_topology(trained_model<10>(), face.rows(), study().triangles); }), Status::ok);
+    EXPECT_EQ(status_of([&] { check_topology(trained_model<10>(), face.rows(), other); }),
+              Status::mismatch);
+    EXPECT_EQ(
+        status_of([&] { check_topology(trained_model<10>(), face.rows(), study().triangles); }),
+        Status::ok);
 }
 
 }  // namespace

@@ -50,10 +50,10 @@ TEST(Posture, AlignmentOnAStableZoneTakesRigidMotionOutOfTrainingAndFit) {
         const Similarity motion = small_motion(static_cast<unsigned>(subject));
         const Points face = motion.apply(PointsRef(study.face(subject, 1)));
         const Points truth = motion.apply(PointsRef(study.neutral(subject)));
-        error_loose +=
-            mean_distance(neutralize(Context(), *loose, face, Vector(), {}).neutral_vertices, truth);
-        error_aligned +=
-            mean_distance(neutralize(Context(), *aligned, face, Vector(), {}).neutral_vertices, truth);
+        error_loose += mean_distance(
+            neutralize(Context(), *loose, face, Vector(), {}).neutral_vertices, truth);
+        error_aligned += mean_distance(
+            neutralize(Context(), *aligned, face, Vector(), {}).neutral_vertices, truth);
     }
     EXPECT_LT(error_aligned, 0.8 * error_loose);
 }

@@ -20,10 +20,10 @@ TEST(Series, SharesOneIdentityAndBeatsEachScanAlone) {
         std::vector<SeriesScan> scans;
         for (int expression = 1; expression < 5; ++expression) {
             scans.push_back({study().face(subject, expression), Vector()});
-            alone += 0.25 * mean_distance(
-                                neutralize(Context(), trained_model<8>(), scans.back().vertices, Vector(), {})
-                                    .neutral_vertices,
-                                study().neutral(subject));
+            alone += 0.25 * mean_distance(neutralize(Context(), trained_model<8>(),
+                                                     scans.back().vertices, Vector(), {})
+                                              .neutral_vertices,
+                                          study().neutral(subject));
         }
         const SeriesResult result = neutralize_series(Context(), trained_model<8>(), scans, {});
         together += mean_distance(result.identity_vertices, study().neutral(subject));
@@ -48,7 +48,8 @@ TEST(Series, AChangeInTheTreatedZoneIsKept) {
     const Points before = study().face(62, 2);
     // A swelling that resembles an expression: where "open" moves the face.
     const Points swelling = study().bump(60, 20, 18, Vector3(0, -6, 2));
-    std::vector<SeriesScan> scans = {{before, Vector()}, {study().face(62, 3), Vector()},
+    std::vector<SeriesScan> scans = {{before, Vector()},
+                                     {study().face(62, 3), Vector()},
                                      {study().neutral(62) + swelling, Vector()}};
     SeriesOptions options;
     const SeriesResult plain = neutralize_series(Context(), trained_model<8>(), scans, options);
@@ -74,14 +75,18 @@ TEST(Series, AHoleInOneScanIsFilledFromTheOthers) {
     const SeriesResult result = neutralize_series(Context(), trained_model<8>(), scans, {});
     ASSERT_TRUE(result.neutral_vertices[3].allFinite());
     const Points truth = study().neutral(63);
-    EXPECT_LT(mean_distance(result.neutral_vertices[3].middleRows(40, 20), truth.middleRows(40, 20)), 0.3);
+    EXPECT_LT(
+        mean_distance(result.neutral_vertices[3].middleRows(40, 20), truth.middleRows(40, 20)),
+        0.3);
 }
 
 TEST(Series, SaysWhenAFaceIsAnotherPersons) {
-    std::vector<SeriesScan> scans = {{study().face(64, 1), Vector()}, {study().face(64, 2), Vector()},
+    std::vector<SeriesScan> scans = {{study().face(64, 1), Vector()},
+                                     {study().face(64, 2), Vector()},
                                      {study().face(64, 3), Vector()}};
     const SeriesResult same = neutralize_series(Context(), trained_model<8>(), scans, {});
-    for (std::size_t k = 0; k < 3; ++k) EXPECT_TRUE(series_warnings(trained_model<8>(), same, k).empty()) << k;
+    for (std::size_t k = 0; k < 3; ++k)
+        EXPECT_TRUE(series_warnings(trained_model<8>(), same, k).empty()) << k;
     scans.push_back({study().face(65, 2), Vector()});
     const SeriesResult mixed = neutralize_series(Context(), trained_model<8>(), scans, {});
     EXPECT_FALSE(series_warnings(trained_model<8>(), mixed, 3).empty());
@@ -114,14 +119,19 @@ TEST(Series, LargerMeshesFollowBehindTheRim) {
     const Index n = study().rest.rows();
     ASSERT_EQ(b.neutral_vertices[1].rows(), n + study().side);
     ASSERT_EQ(b.identity_vertices.rows(), n + study().side);
-    EXPECT_LT((a.neutral_vertices[1] - b.neutral_vertices[1].topRows(n)).cwiseAbs().maxCoeff(), 1e-9);
-    EXPECT_LT((b.neutral_vertices[1].bottomRows(study().side) - larger[1]->vertices.bottomRows(study().side))
+    EXPECT_LT((a.neutral_vertices[1] - b.neutral_vertices[1].topRows(n)).cwiseAbs().maxCoeff(),
+              1e-9);
+    EXPECT_LT((b.neutral_vertices[1].bottomRows(study().side) -
+               larger[1]->vertices.bottomRows(study().side))
                   .rowwise()
                   .norm()
                   .maxCoeff(),
               5.0);
-    EXPECT_THROW(neutralize_series_meshes(Context(), trained_model<8>(), {same[0], larger[1]}, {}, {}), Error);
-    EXPECT_THROW(neutralize_series_meshes(Context(), trained_model<8>(), larger, {Vector()}, {}), Error);
+    EXPECT_THROW(
+        neutralize_series_meshes(Context(), trained_model<8>(), {same[0], larger[1]}, {}, {}),
+        Error);
+    EXPECT_THROW(neutralize_series_meshes(Context(), trained_model<8>(), larger, {Vector()}, {}),
+                 Error);
     EXPECT_THROW(neutralize_series_meshes(Context(), trained_model<8>(), {}, {}, {}), Error);
     SeriesOptions wrong;
     wrong.changing_zone = {100000};
@@ -132,7 +142,9 @@ TEST(Series, RefusesNothingAndFitsWithoutAPrior) {
     EXPECT_THROW(neutralize_series(Context(), trained_model<8>(), {}, {}), Error);
     SeriesOptions options;
     options.method = FitMethod::exact;
-    EXPECT_THROW(neutralize_series(Context(), trained_model<8>(), {{study().face(60, 1), Vector()}}, options), Error);
+    EXPECT_THROW(neutralize_series(Context(), trained_model<8>(), {{study().face(60, 1), Vector()}},
+                                   options),
+                 Error);
 }
 
 }  // namespace

@@ -21,7 +21,8 @@ TrainOptions shard_options() {
 }
 
 std::vector<std::string> write_parts(const std::shared_ptr<const FaceDataset>& data, int count,
-                                     const std::string& tag, const std::vector<std::uint32_t>& stable = {}) {
+                                     const std::string& tag,
+                                     const std::vector<std::uint32_t>& stable = {}) {
     std::vector<std::string> paths;
     for (int part = 0; part < count; ++part) {
         paths.push_back(Study::path(tag + std::to_string(part)));
@@ -49,15 +50,19 @@ TEST(Shards, MergedModelEqualsTheSingleRun) {
             train_expression_model(*shard_columns(paths, {}, Context()), options, Context());
         remove_all(paths);
         EXPECT_LT((whole->mean - merged->mean).cwiseAbs().maxCoeff(), 1e-9);
-        EXPECT_LT((whole->identity_modes.map() - merged->identity_modes.map()).cwiseAbs().maxCoeff(), 1e-6);
-        EXPECT_LT((whole->expression_modes.map() - merged->expression_modes.map()).cwiseAbs().maxCoeff(),
-                  1e-6);
+        EXPECT_LT(
+            (whole->identity_modes.map() - merged->identity_modes.map()).cwiseAbs().maxCoeff(),
+            1e-6);
+        EXPECT_LT(
+            (whole->expression_modes.map() - merged->expression_modes.map()).cwiseAbs().maxCoeff(),
+            1e-6);
         EXPECT_EQ(whole->mixture_noise_mm2, merged->mixture_noise_mm2);
         ASSERT_EQ(whole->components.size(), merged->components.size());
         const Points face = study.face(70, 2);
-        EXPECT_LT(mean_distance(neutralize(Context(), *whole, face, Vector(), {}).neutral_vertices,
-                                neutralize(Context(), *merged, face, Vector(), {}).neutral_vertices),
-                  1e-6);
+        EXPECT_LT(
+            mean_distance(neutralize(Context(), *whole, face, Vector(), {}).neutral_vertices,
+                          neutralize(Context(), *merged, face, Vector(), {}).neutral_vertices),
+            1e-6);
     }
 }
 
@@ -92,12 +97,17 @@ TEST(Shards, PartsOfOneSetAreAlignedAlikeAndOthersAreRefused) {
         if (study.rest(i, 1) > 70) options.stable_vertices.push_back(static_cast<std::uint32_t>(i));
     const auto whole = train_expression_model(data, options, Context());
     const auto paths = write_parts(data, 3, "aligned", options.stable_vertices);
-    const auto merged = train_expression_model(*shard_columns(paths, {}, Context()), options, Context());
+    const auto merged =
+        train_expression_model(*shard_columns(paths, {}, Context()), options, Context());
     EXPECT_EQ(merged->stable_vertices, options.stable_vertices);
     EXPECT_LT((whole->mean - merged->mean).cwiseAbs().maxCoeff(), 1e-9);
-    EXPECT_LT((whole->identity_modes.map() - merged->identity_modes.map()).cwiseAbs().maxCoeff(), 1e-6);
-    EXPECT_LT((whole->expression_modes.map() - merged->expression_modes.map()).cwiseAbs().maxCoeff(), 1e-6);
-    const auto elsewhere = write_parts(study.dataset(30, 34, "elsewhere"), 1, "elsewhere", options.stable_vertices);
+    EXPECT_LT((whole->identity_modes.map() - merged->identity_modes.map()).cwiseAbs().maxCoeff(),
+              1e-6);
+    EXPECT_LT(
+        (whole->expression_modes.map() - merged->expression_modes.map()).cwiseAbs().maxCoeff(),
+        1e-6);
+    const auto elsewhere =
+        write_parts(study.dataset(30, 34, "elsewhere"), 1, "elsewhere", options.stable_vertices);
     const auto loose = write_parts(study.dataset(30, 34, "loose"), 1, "loose");
     EXPECT_THROW(shard_columns({paths[0], elsewhere[0]}, {}, Context()), Error);
     EXPECT_THROW(shard_columns({paths[0], loose[0]}, {}, Context()), Error);

@@ -27,7 +27,8 @@ struct Study {
         rest.resize(side * side, 3);
         for (int y = 0; y < side; ++y)
             for (int x = 0; x < side; ++x)
-                rest.row(y * side + x) << 10.0 * x, 10.0 * y, 20.0 * std::sin(0.3 * x) * std::cos(0.25 * y);
+                rest.row(y * side + x) << 10.0 * x, 10.0 * y,
+                    20.0 * std::sin(0.3 * x) * std::cos(0.25 * y);
         triangles.resize(2 * (side - 1) * (side - 1), 3);
         Index row = 0;
         for (int y = 0; y + 1 < side; ++y)
@@ -59,16 +60,22 @@ struct Study {
     }
 
     Points face(int subject, int expression, unsigned take = 0) const {
-        std::mt19937 random(77u * static_cast<unsigned>(subject) + static_cast<unsigned>(expression) + 9000u * take);
+        std::mt19937 random(77u * static_cast<unsigned>(subject) +
+                            static_cast<unsigned>(expression) + 9000u * take);
         std::normal_distribution<double> normal;
         const double size = 1.0 + 0.2 * normal(random);
         switch (expression) {
-            case 1: return neutral(subject) + bump(60, 20, 18, Vector3(0, -14 * size, 3));
-            case 2: return neutral(subject) + bump(30, 40, 14, Vector3(-6 * size, 5, 2)) +
-                           bump(90, 40, 14, Vector3(6 * size, 5, 2));
-            case 3: return neutral(subject) + bump(60, 110, 20, Vector3(0, -5 * size, -3));
-            case 4: return neutral(subject) + bump(60, 115, 22, Vector3(0, 8 * size, 0));
-            default: return neutral(subject);
+            case 1:
+                return neutral(subject) + bump(60, 20, 18, Vector3(0, -14 * size, 3));
+            case 2:
+                return neutral(subject) + bump(30, 40, 14, Vector3(-6 * size, 5, 2)) +
+                       bump(90, 40, 14, Vector3(6 * size, 5, 2));
+            case 3:
+                return neutral(subject) + bump(60, 110, 20, Vector3(0, -5 * size, -3));
+            case 4:
+                return neutral(subject) + bump(60, 115, 22, Vector3(0, 8 * size, 0));
+            default:
+                return neutral(subject);
         }
     }
 

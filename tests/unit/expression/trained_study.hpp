@@ -19,7 +19,8 @@ const ExpressionModel& trained_model() {
         options.subspaces.identity_modes = IdentityModes;
         options.subspaces.expression_modes = 8;
         const std::string tag = "trained_" + std::to_string(IdentityModes);
-        return train_expression_model(study().dataset(0, study().subjects, tag), options, Context());
+        return train_expression_model(study().dataset(0, study().subjects, tag), options,
+                                      Context());
     }();
     return *trained;
 }

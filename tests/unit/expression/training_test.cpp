@@ -26,8 +26,10 @@ TEST(Training, FindsOrthonormalModesThatExplainTheStudy) {
                                               small_options(), Context(), &report);
     const Matrix p = model->identity_modes.map().cast<double>();
     const Matrix q = model->expression_modes.map().cast<double>();
-    EXPECT_LT((p.transpose() * p - Matrix::Identity(p.cols(), p.cols())).cwiseAbs().maxCoeff(), 1e-5);
-    EXPECT_LT((q.transpose() * q - Matrix::Identity(q.cols(), q.cols())).cwiseAbs().maxCoeff(), 1e-5);
+    EXPECT_LT((p.transpose() * p - Matrix::Identity(p.cols(), p.cols())).cwiseAbs().maxCoeff(),
+              1e-5);
+    EXPECT_LT((q.transpose() * q - Matrix::Identity(q.cols(), q.cols())).cwiseAbs().maxCoeff(),
+              1e-5);
     EXPECT_GT(report.identity_explained, 0.98);
     EXPECT_GT(report.expression_explained, 0.99);
     for (Index k = 1; k < model->identity_deviations.size(); ++k)
@@ -39,10 +41,13 @@ TEST(Training, FindsOrthonormalModesThatExplainTheStudy) {
 
 TEST(Training, MeanOfMoreSubjectsThanOneBlockHolds) {
     const Study study;
-    constexpr int kSubjects = 400;  // three blocks of columns; the running sum used to be taken off the later ones
-    const auto model = train_expression_model(study.dataset(0, kSubjects, "many"), small_options(), Context());
+    constexpr int kSubjects =
+        400;  // three blocks of columns; the running sum used to be taken off the later ones
+    const auto model =
+        train_expression_model(study.dataset(0, kSubjects, "many"), small_options(), Context());
     Points mean = Points::Zero(study.rest.rows(), 3);
-    for (int subject = 0; subject < kSubjects; ++subject) mean += study.neutral(subject) / kSubjects;
+    for (int subject = 0; subject < kSubjects; ++subject)
+        mean += study.neutral(subject) / kSubjects;
     EXPECT_LT((model->mean - mean).cwiseAbs().maxCoeff(), 1e-4);  // the file holds floats
     const Points face = study.face(kSubjects + 1, 1), neutral = study.neutral(kSubjects + 1);
     const NeutralizationResult result = neutralize(Context(), *model, face, Vector(), {});
@@ -120,8 +125,8 @@ TEST(Training, SkipsFacesWhoseSubjectHasNoNeutralAndTakesMissingExpressions) {
     FaceDatasetWriter writer(study.triangles, study.rest.rows(), study.names);
     for (int subject = 0; subject < 12; ++subject)
         for (int expression = 0; expression < 5; ++expression) {
-            if (subject == 3 && expression == 0) continue;   // no neutral: 4 faces skipped
-            if (subject == 5 && expression == 2) continue;   // missing expression
+            if (subject == 3 && expression == 0) continue;  // no neutral: 4 faces skipped
+            if (subject == 5 && expression == 2) continue;  // missing expression
             writer.add(study.face(subject, expression), subject, expression);
             if (subject == 7) writer.add(study.face(subject, expression, 1), subject, expression);
         }

@@ -1,7 +1,7 @@
 #include "geometry/alignment.hpp"
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include "base/error.hpp"
 
@@ -31,7 +31,8 @@ TEST(Alignment, RecoversASimilarity) {
 }
 
 TEST(Alignment, RigidKeepsTheScale) {
-    const Similarity found = align_points(some_points(), some_motion(1.3).apply(some_points()), {}, false);
+    const Similarity found =
+        align_points(some_points(), some_motion(1.3).apply(some_points()), {}, false);
     EXPECT_EQ(1.0, found.scale);
     EXPECT_LT((found.rotation - some_motion(1).rotation).norm(), 1e-12);
 }
@@ -41,7 +42,10 @@ TEST(Alignment, ZeroWeightHidesAnOutlier) {
     target.row(2) += Eigen::RowVector3d(500, 0, 0);
     Vector weights = Vector::Ones(6);
     weights[2] = 0;
-    EXPECT_LT((align_points(some_points(), target, weights, true).rotation - some_motion(1).rotation).norm(), 1e-12);
+    EXPECT_LT(
+        (align_points(some_points(), target, weights, true).rotation - some_motion(1).rotation)
+            .norm(),
+        1e-12);
 }
 
 TEST(Alignment, NeverReturnsAReflection) {
@@ -60,7 +64,8 @@ TEST(Alignment, RefusesCollinearAndFewPoints) {
 
 TEST(Similarity, InverseUndoes) {
     const Similarity m = some_motion(0.7);
-    EXPECT_LT((m.inverse().apply(m.apply(some_points())) - some_points()).cwiseAbs().maxCoeff(), 1e-12);
+    EXPECT_LT((m.inverse().apply(m.apply(some_points())) - some_points()).cwiseAbs().maxCoeff(),
+              1e-12);
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <filesystem>
 #include <limits>
 #include <map>
@@ -45,15 +45,18 @@ TEST(HeatGeodesics, SphereOf26000VerticesIsWithinOnePercent) {
 
 TEST(HeatGeodesics, FlatSheetGivesStraightLines) {
     const Surface s = sheet(60, 60);
-    for (const HeatBoundary boundary : {HeatBoundary::neumann, HeatBoundary::dirichlet, HeatBoundary::average}) {
+    for (const HeatBoundary boundary :
+         {HeatBoundary::neumann, HeatBoundary::dirichlet, HeatBoundary::average}) {
         HeatOptions options;
         options.boundary = boundary;
         const Vector d = heat(s, options).distances_from(30 * 61 + 30);
         double most = 0;
         for (Index v = 0; v < d.size(); ++v)
-            most = std::max(most, std::abs(d[v] - (s.vertices.row(v) - s.vertices.row(30 * 61 + 30)).norm()));
+            most = std::max(
+                most, std::abs(d[v] - (s.vertices.row(v) - s.vertices.row(30 * 61 + 30)).norm()));
         // Only heat that is cooled at the border bends noticeably there.
-        EXPECT_LT(most, boundary == HeatBoundary::dirichlet ? 3.5 : 2.0) << static_cast<int>(boundary);
+        EXPECT_LT(most, boundary == HeatBoundary::dirichlet ? 3.5 : 2.0)
+            << static_cast<int>(boundary);
     }
 }
 
@@ -70,7 +73,8 @@ TEST(HeatGeodesics, DistanceAcrossASlitGoesAroundIt) {
         if (x > 20)
             for (int k = 0; k < 3; ++k) {
                 const std::uint32_t v = s.triangles(t, k);
-                if (v % 41 == 20 && v / 41 < 30) s.triangles(t, k) = static_cast<std::uint32_t>(first_copy) + v / 41;
+                if (v % 41 == 20 && v / 41 < 30)
+                    s.triangles(t, k) = static_cast<std::uint32_t>(first_copy) + v / 41;
             }
     }
     s.vertices = vertices;
@@ -117,7 +121,8 @@ TEST(HeatGeodesics, OtherComponentsAreInfinitelyFar) {
     Surface s = sheet(5, 5);
     Surface two = s;
     two.vertices.resize(73, 3);
-    two.vertices << s.vertices, s.vertices.rowwise() + Eigen::RowVector3d(0, 0, 1), Eigen::RowVector3d(9, 9, 9);
+    two.vertices << s.vertices, s.vertices.rowwise() + Eigen::RowVector3d(0, 0, 1),
+        Eigen::RowVector3d(9, 9, 9);
     two.triangles.resize(100, 3);
     two.triangles << s.triangles, (s.triangles.array() + 36).matrix();
     const Vector d = heat(two).distances_from(40);
@@ -129,7 +134,8 @@ TEST(HeatGeodesics, OtherComponentsAreInfinitelyFar) {
 
 TEST(HeatGeodesics, NeedlesDuplicatesAndFoldsStayFinite) {
     Surface s = sheet(20, 20);
-    // A needle: one vertex almost on its neighbour's edge; a duplicate: two neighbours in one place.
+    // A needle: one vertex almost on its neighbour's edge; a duplicate: two neighbours in one
+    // place.
     s.vertices.row(10 * 21 + 10) = s.vertices.row(10 * 21 + 11) + Eigen::RowVector3d(-1e-9, 0, 0);
     s.vertices.row(5 * 21 + 5) = s.vertices.row(5 * 21 + 6);
     // A third sheet on an interior edge, a repeated triangle, one with a repeated corner.
@@ -137,7 +143,8 @@ TEST(HeatGeodesics, NeedlesDuplicatesAndFoldsStayFinite) {
     s.vertices.conservativeResize(s.vertices.rows() + 1, 3);
     s.vertices.bottomRows(1) << 15.5, 15.5, 3.0;
     s.triangles.conservativeResize(t + 3, 3);
-    s.triangles.row(t) << 15 * 21 + 15, 15 * 21 + 16, static_cast<std::uint32_t>(s.vertices.rows() - 1);
+    s.triangles.row(t) << 15 * 21 + 15, 15 * 21 + 16,
+        static_cast<std::uint32_t>(s.vertices.rows() - 1);
     s.triangles.row(t + 1) = s.triangles.row(0);
     s.triangles.row(t + 2) << 3, 3, 4;
     const HeatGeodesics geodesics = heat(s);
@@ -146,7 +153,8 @@ TEST(HeatGeodesics, NeedlesDuplicatesAndFoldsStayFinite) {
         ASSERT_TRUE(d.allFinite()) << source;
         EXPECT_EQ(d[source], 0.0);
         for (Index v = 0; v < d.size(); ++v)
-            EXPECT_GT(d[v], 0.75 * (s.vertices.row(v) - s.vertices.row(source)).norm() - 1.0) << source << " " << v;
+            EXPECT_GT(d[v], 0.75 * (s.vertices.row(v) - s.vertices.row(source)).norm() - 1.0)
+                << source << " " << v;
     }
 }
 
@@ -172,11 +180,14 @@ TEST(HeatGeodesics, TemplateDistancesAreFiniteAndSymmetric) {
     make_symmetric(sources, d);
     for (std::size_t i = 0; i < sources.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {
-            const double there = d(sources[i], static_cast<Index>(j)), back = d(sources[j], static_cast<Index>(i));
+            const double there = d(sources[i], static_cast<Index>(j)),
+                         back = d(sources[j], static_cast<Index>(i));
             ASSERT_LE(std::abs(there - back), 1e-6);
             ASSERT_GT(there, 0);
             // Along the surface is never much shorter than straight.
-            ASSERT_GT(there, 0.9 * (mesh.vertices.row(sources[i]) - mesh.vertices.row(sources[j])).norm() - 2);
+            ASSERT_GT(
+                there,
+                0.9 * (mesh.vertices.row(sources[i]) - mesh.vertices.row(sources[j])).norm() - 2);
         }
 }
 
@@ -224,7 +235,8 @@ TEST(IntrinsicMesh, KeepsAreaAndHasNoNegativeWeight) {
     for (Index t = 0; t < mesh.triangles.rows(); ++t) {
         area += 0.5 * mesh.weights[t] * mesh.double_area(t);
         for (int k = 0; k < 3; ++k) {
-            const std::uint32_t a = mesh.triangles(t, (k + 1) % 3), b = mesh.triangles(t, (k + 2) % 3);
+            const std::uint32_t a = mesh.triangles(t, (k + 1) % 3),
+                                b = mesh.triangles(t, (k + 2) % 3);
             weight[{std::min(a, b), std::max(a, b)}] += mesh.weights[t] * mesh.cotangent(t, k);
         }
     }

@@ -86,7 +86,8 @@ TEST(Laplacian, NegativeWeightsAreKeptClampedOrFlippedAway) {
 
 TEST(Laplacian, DelaunayLeavesNoNegativeInnerWeightOnTheClosedSurface) {
     TriMesh mesh = test::sphere(10, 3);
-    for (Index v = 0; v < mesh.vertices.rows(); ++v) mesh.vertices(v, 2) *= 0.1;  // obtuse triangles
+    for (Index v = 0; v < mesh.vertices.rows(); ++v)
+        mesh.vertices(v, 2) *= 0.1;  // obtuse triangles
     const Matrix kept = Matrix(build(mesh, NegativeCotangents::keep).stiffness);
     const Matrix flipped = Matrix(build(mesh, NegativeCotangents::intrinsic_delaunay).stiffness);
     const auto largest_off_diagonal = [](Matrix m) {
@@ -154,10 +155,10 @@ TEST(Laplacian, IsRigidlyInvariantAndScalesWithTheUnit) {
 
 TEST(Laplacian, NeedlesAndZeroAreaTrianglesStayFinite) {
     TriMesh mesh = test::grid(10, 10, 5, 5);
-    mesh.vertices.row(7) = mesh.vertices.row(8);                        // coincident vertices
-    mesh.vertices.row(20) << 4, 6 + 1e-14, 0;                           // nearly collinear
+    mesh.vertices.row(7) = mesh.vertices.row(8);  // coincident vertices
+    mesh.vertices.row(20) << 4, 6 + 1e-14, 0;     // nearly collinear
     mesh.triangles.conservativeResize(mesh.triangles.rows() + 1, 3);
-    mesh.triangles.bottomRows(1) << 3, 3, 4;                            // not a triangle at all
+    mesh.triangles.bottomRows(1) << 3, 3, 4;  // not a triangle at all
     for (const auto negative : {NegativeCotangents::keep, NegativeCotangents::clamp,
                                 NegativeCotangents::intrinsic_delaunay})
         for (const auto mass : {MassKind::barycentric, MassKind::mixed_voronoi}) {
@@ -208,10 +209,12 @@ TEST(Laplacian, VerticesWithoutTrianglesGetAMassAndNoWeight) {
 TEST(Laplacian, RefusesWhatIsNoMesh) {
     TriMesh mesh = test::grid(2, 2, 2, 2);
     mesh.vertices(4, 1) = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(test::status_of([&] { build(mesh, NegativeCotangents::keep); }), Status::invalid_mesh);
+    EXPECT_EQ(test::status_of([&] { build(mesh, NegativeCotangents::keep); }),
+              Status::invalid_mesh);
     mesh = test::grid(2, 2, 2, 2);
     mesh.triangles(3, 1) = 9;
-    EXPECT_EQ(test::status_of([&] { build(mesh, NegativeCotangents::keep); }), Status::invalid_mesh);
+    EXPECT_EQ(test::status_of([&] { build(mesh, NegativeCotangents::keep); }),
+              Status::invalid_mesh);
     EXPECT_EQ(test::status_of([&] { build(TriMesh(), NegativeCotangents::keep); }),
               Status::invalid_mesh);
 }

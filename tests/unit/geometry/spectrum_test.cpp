@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
+#include <Eigen/Eigenvalues>
 
 #include "unit/measure/shapes.hpp"
 
@@ -68,7 +68,8 @@ TEST(Spectrum, AgreesWithADenseSolverForEveryK) {
 }
 
 TEST(Spectrum, SphereHasTheEigenvaluesOfTheSphericalHarmonics) {
-    const LaplaceOperator laplace = laplacian(test::sphere(1.0, 5));  // 10,242 vertices, error ~ h^2
+    const LaplaceOperator laplace =
+        laplacian(test::sphere(1.0, 5));  // 10,242 vertices, error ~ h^2
     const EigenPairs pairs = smallest_eigenpairs(laplace, 100, {});
     Index at = 0;
     for (int l = 0; l < 10; ++l)
@@ -82,7 +83,8 @@ TEST(Spectrum, RectangleHasNeumannEigenvalues) {
     const EigenPairs pairs = smallest_eigenpairs(laplace, 6, {});
     const double x = kPi * kPi / 9, y = kPi * kPi / 4;
     const double expected[] = {0, x, y, x + y, 4 * x, 4 * x + y};
-    for (int i = 0; i < 6; ++i) EXPECT_NEAR(pairs.values[i], expected[i], 0.003 * expected[i] + 1e-12);
+    for (int i = 0; i < 6; ++i)
+        EXPECT_NEAR(pairs.values[i], expected[i], 0.003 * expected[i] + 1e-12);
 }
 
 TEST(Spectrum, SameBitsForOneAndThreeThreads) {
@@ -124,7 +126,8 @@ TEST(Spectrum, LargestEntryOfEachVectorIsPositive) {
     const LaplaceOperator laplace = laplacian(test::sphere(1.0, 3));
     const EigenPairs pairs = smallest_eigenpairs(laplace, 30, {});
     for (Index c = 0; c < 30; ++c)
-        EXPECT_GT(pairs.vectors.col(c).maxCoeff(), 0.99 * pairs.vectors.col(c).cwiseAbs().maxCoeff());
+        EXPECT_GT(pairs.vectors.col(c).maxCoeff(),
+                  0.99 * pairs.vectors.col(c).cwiseAbs().maxCoeff());
 }
 
 TEST(Spectrum, SurvivesDegenerateTriangles) {
@@ -145,7 +148,8 @@ TEST(Spectrum, RefusesImpossibleCounts) {
                   Status::invalid_argument);
     LaplaceOperator wrong = laplace;
     wrong.mass[3] = 0;
-    EXPECT_EQ(test::status_of([&] { smallest_eigenpairs(wrong, 3, {}); }), Status::invalid_argument);
+    EXPECT_EQ(test::status_of([&] { smallest_eigenpairs(wrong, 3, {}); }),
+              Status::invalid_argument);
 }
 
 TEST(Spectrum, StopsWhenCancelledOrOverBudget) {

@@ -215,7 +215,8 @@ TEST(CrossValidation, LearnsColumnFactorsFromTheTrainingSamplesOfEachFold) {
     EXPECT_LT(without, 0.5);
     ASSERT_EQ(asked.size(), 5u);
     for (int fold = 0; fold < 5; ++fold)
-        for (const Index i : asked[static_cast<std::size_t>(fold)]) EXPECT_NE(cv.fold[static_cast<std::size_t>(i)], fold);
+        for (const Index i : asked[static_cast<std::size_t>(fold)])
+            EXPECT_NE(cv.fold[static_cast<std::size_t>(i)], fold);
 }
 
 TEST(CrossValidation, PredictsHeldOutSamplesWithoutHavingSeenThem) {

@@ -26,7 +26,8 @@ struct People {
             const Vector3 wave = 0.02 * Vector3(random.normal(), random.normal(), random.normal());
             const Vector3 way(random.normal(), random.normal(), random.normal());
             for (Index v = 0; v < n; ++v)
-                modes.col(m).segment<3>(3 * v) = 0.8 * way * std::sin(mean.row(v).dot(wave) + static_cast<double>(m));
+                modes.col(m).segment<3>(3 * v) =
+                    0.8 * way * std::sin(mean.row(v).dot(wave) + static_cast<double>(m));
         }
         grades.resize(count);
         displacements.resize(3 * n, count);
@@ -34,7 +35,8 @@ struct People {
         for (int k = 0; k < count; ++k) {
             grades[k] = 4.0 * random.uniform();
             displacements.col(k) = grades[k] * change;
-            for (Index m = 0; m < modes.cols(); ++m) displacements.col(k) += random.normal() * modes.col(m);
+            for (Index m = 0; m < modes.cols(); ++m)
+                displacements.col(k) += random.normal() * modes.col(m);
         }
         displacements.colwise() -= displacements.rowwise().mean().eval();
     }
@@ -42,13 +44,15 @@ struct People {
 
 Points on_sphere(const std::function<Vector3(const Vector3&)>& change) {
     Points points = 80.0 * test::sphere(1, 4).vertices;
-    for (Index v = 0; v < points.rows(); ++v) points.row(v) = change(points.row(v).transpose()).transpose();
+    for (Index v = 0; v < points.rows(); ++v)
+        points.row(v) = change(points.row(v).transpose()).transpose();
     return points;
 }
 
 Points jowl() {
     return on_sphere([](const Vector3& p) {
-        return Vector3(Vector3(0.3, -1, 0.2) * 1.5 * std::exp(-(p - Vector3(30, -50, 55)).squaredNorm() / 500));
+        return Vector3(Vector3(0.3, -1, 0.2) * 1.5 *
+                       std::exp(-(p - Vector3(30, -50, 55)).squaredNorm() / 500));
     });
 }
 
@@ -77,7 +81,9 @@ TEST(ScoreDirection, UndoesWhatTheAlignmentShared) {
     Points shared = jowl();
     shared.rowwise() -= Eigen::RowVector3d(0.1, -0.3, 0.1);
     const People people(shared, 200, 4);
-    const Vector found = score_direction(people.mean, people.displacements, people.areas, people.grades, {}).displacement;
+    const Vector found =
+        score_direction(people.mean, people.displacements, people.areas, people.grades, {})
+            .displacement;
     EXPECT_GT(correlation(found, jowl()), 0.9);
 }
 
@@ -86,7 +92,8 @@ TEST(ScoreDirection, KeepsAChangeOfTheWholeFace) {
     for (const int seed : {1, 2, 3}) {
         const People people(wider, 200, seed);
         const Vector found =
-            score_direction(people.mean, people.displacements, people.areas, people.grades, {}).displacement;
+            score_direction(people.mean, people.displacements, people.areas, people.grades, {})
+                .displacement;
         EXPECT_GT(correlation(found, wider), correlation(regression(people), wider) - 0.02);
     }
 }
@@ -95,9 +102,14 @@ TEST(ScoreDirection, OfFacesThatDifferByTheScoreAloneIsTheirDifference) {
     Points change = jowl();
     People people(change, 10, 5);
     for (Index k = 0; k < people.grades.size(); ++k)
-        people.displacements.col(k) = people.grades[k] * Eigen::Map<const Vector>(change.data(), change.size());
-    const Vector found = score_direction(people.mean, people.displacements, people.areas, people.grades, {}).displacement;
-    EXPECT_LT((Eigen::Map<const Points>(found.data(), change.rows(), 3) - change).cwiseAbs().maxCoeff(), 1e-9);
+        people.displacements.col(k) =
+            people.grades[k] * Eigen::Map<const Vector>(change.data(), change.size());
+    const Vector found =
+        score_direction(people.mean, people.displacements, people.areas, people.grades, {})
+            .displacement;
+    EXPECT_LT(
+        (Eigen::Map<const Points>(found.data(), change.rows(), 3) - change).cwiseAbs().maxCoeff(),
+        1e-9);
 }
 
 TEST(ScoreDirection, HasTheSameBitsForAnyThreadCount) {
@@ -105,8 +117,10 @@ TEST(ScoreDirection, HasTheSameBitsForAnyThreadCount) {
     ThreadPool pool(3);
     Context context;
     context.pool = &pool;
-    const ScoreDirection one = score_direction(people.mean, people.displacements, people.areas, people.grades, {});
-    const ScoreDirection many = score_direction(people.mean, people.displacements, people.areas, people.grades, context);
+    const ScoreDirection one =
+        score_direction(people.mean, people.displacements, people.areas, people.grades, {});
+    const ScoreDirection many =
+        score_direction(people.mean, people.displacements, people.areas, people.grades, context);
     EXPECT_TRUE((one.displacement.array() == many.displacement.array()).all());
 }
 

@@ -86,8 +86,9 @@ TEST(Score, FindsTheHiddenBulgeAndPredictsHeldOutFaces) {
 
 TEST(Score, RefusesGradesThatAreAllTheSame) {
     const Study study(20, 0.2);
-    EXPECT_EQ(test::status_of([&] { train_score(study.open(), Vector::Constant(20, 2.0), quick(), {}); }),
-              Status::no_solution);
+    EXPECT_EQ(
+        test::status_of([&] { train_score(study.open(), Vector::Constant(20, 2.0), quick(), {}); }),
+        Status::no_solution);
 }
 
 TEST(Score, IgnoresWhereTheFaceStandsAndReachesTheScoreItSimulates) {

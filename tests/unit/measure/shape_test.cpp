@@ -19,7 +19,8 @@ TEST(CurvatureSummary, OfASphereIsThatOfItsRadiusInEveryZone) {
     for (Index v = 0; v < mesh.vertices.rows(); ++v)
         zones[mesh.vertices(v, 1) > 10 ? 0 : 1].vertices.push_back(static_cast<std::uint32_t>(v));
     zones[0].name = "top";
-    const CurvatureReport report = measure_curvature(mesh.vertices, mesh.triangles, zones, {3.0, true}, {});
+    const CurvatureReport report =
+        measure_curvature(mesh.vertices, mesh.triangles, zones, {3.0, true}, {});
     for (const CurvatureSummary* s : {&report.whole, &report.zones[0], &report.zones[1]}) {
         EXPECT_NEAR(s->mean_mean_per_mm, 1.0 / 40, 0.002 / 40);
         EXPECT_NEAR(s->mean_gaussian_per_mm2, 1.0 / 1600, 0.005 / 1600);
@@ -28,7 +29,8 @@ TEST(CurvatureSummary, OfASphereIsThatOfItsRadiusInEveryZone) {
     }
     EXPECT_EQ(report.zones[0].name, "top");
     // Gauss and Bonnet: the integral over the closed surface is 4 pi.
-    EXPECT_NEAR(report.whole.mean_gaussian_per_mm2 * 4 * kStraightAngle * 1600, 4 * kStraightAngle, 0.01 * 4 * kStraightAngle);
+    EXPECT_NEAR(report.whole.mean_gaussian_per_mm2 * 4 * kStraightAngle * 1600, 4 * kStraightAngle,
+                0.01 * 4 * kStraightAngle);
 }
 
 TEST(CurvatureSummary, WeighsWithAreasAndNotWithVertices) {
@@ -49,20 +51,27 @@ TEST(CurvatureSummary, WeighsWithAreasAndNotWithVertices) {
     }
     bent_area = 15 * 30;
     const double area = bent_area + 60 * 30;
-    const CurvatureSummary whole = measure_curvature(mesh.vertices, mesh.triangles, {}, {3.0, false}, {}).whole;
-    EXPECT_NEAR(whole.mean_maximal_per_mm, bent_area / area / radius, 0.15 * bent_area / area / radius);
+    const CurvatureSummary whole =
+        measure_curvature(mesh.vertices, mesh.triangles, {}, {3.0, false}, {}).whole;
+    EXPECT_NEAR(whole.mean_maximal_per_mm, bent_area / area / radius,
+                0.15 * bent_area / area / radius);
     EXPECT_NEAR(whole.mean_gaussian_per_mm2, 0.0, 1e-5);
 }
 
 TEST(CurvatureSummary, RefusesDamagedSurfacesAndZones) {
     TriMesh mesh = test::sphere(40, 2);
-    EXPECT_EQ(test::status_of([&] { measure_curvature(mesh.vertices, mesh.triangles, {{"x", {9999}}}, {}, {}); }),
+    EXPECT_EQ(test::status_of([&] {
+                  measure_curvature(mesh.vertices, mesh.triangles, {{"x", {9999}}}, {}, {});
+              }),
               Status::mismatch);
-    EXPECT_EQ(test::status_of([&] { measure_curvature(mesh.vertices, mesh.triangles, {}, {0.0, true}, {}); }),
+    EXPECT_EQ(test::status_of([&] {
+                  measure_curvature(mesh.vertices, mesh.triangles, {}, {0.0, true}, {});
+              }),
               Status::invalid_argument);
     mesh.vertices(3, 1) = std::nan("");
-    EXPECT_EQ(test::status_of([&] { measure_curvature(mesh.vertices, mesh.triangles, {}, {}, {}); }),
-              Status::invalid_mesh);
+    EXPECT_EQ(
+        test::status_of([&] { measure_curvature(mesh.vertices, mesh.triangles, {}, {}, {}); }),
+        Status::invalid_mesh);
 }
 
 TEST(Lengths, OnASphereAreChordAndArc) {
@@ -72,8 +81,10 @@ TEST(Lengths, OnASphereAreChordAndArc) {
         (mesh.vertices.rowwise() - place).rowwise().squaredNorm().minCoeff(&v);
         return static_cast<std::uint32_t>(v);
     };
-    const std::uint32_t top = nearest({0, 70, 0}), side = nearest({70, 0, 0}), low = nearest({0, -70, 0});
-    const auto lengths = measure_lengths(mesh.vertices, mesh.triangles, {{top, side}, {side, top}, {top, low}, {low, low}}, {});
+    const std::uint32_t top = nearest({0, 70, 0}), side = nearest({70, 0, 0}),
+                        low = nearest({0, -70, 0});
+    const auto lengths = measure_lengths(mesh.vertices, mesh.triangles,
+                                         {{top, side}, {side, top}, {top, low}, {low, low}}, {});
     EXPECT_NEAR(lengths[0].straight_mm, 70 * std::sqrt(2.0), 1e-9);
     EXPECT_NEAR(lengths[0].geodesic_mm, 70 * kStraightAngle / 2, 0.01 * 70 * kStraightAngle / 2);
     EXPECT_EQ(lengths[0].geodesic_mm, lengths[1].geodesic_mm);
@@ -87,14 +98,18 @@ TEST(Lengths, AreInfiniteBetweenPiecesAndRefuseUnknownVertices) {
     TriMesh mesh = test::grid(20, 20, 10, 10);
     const Index n = mesh.vertices.rows(), m = mesh.triangles.rows();
     mesh.vertices.conservativeResize(2 * n, 3);
-    mesh.vertices.bottomRows(n) = mesh.vertices.topRows(n).rowwise() + Eigen::RowVector3d(100, 0, 0);
+    mesh.vertices.bottomRows(n) =
+        mesh.vertices.topRows(n).rowwise() + Eigen::RowVector3d(100, 0, 0);
     mesh.triangles.conservativeResize(2 * m, 3);
-    mesh.triangles.bottomRows(m) = mesh.triangles.topRows(m).array() + static_cast<std::uint32_t>(n);
-    const auto apart = measure_lengths(mesh.vertices, mesh.triangles, {{0, static_cast<std::uint32_t>(n)}}, {});
+    mesh.triangles.bottomRows(m) =
+        mesh.triangles.topRows(m).array() + static_cast<std::uint32_t>(n);
+    const auto apart =
+        measure_lengths(mesh.vertices, mesh.triangles, {{0, static_cast<std::uint32_t>(n)}}, {});
     EXPECT_NEAR(apart[0].straight_mm, 100, 1e-9);
     EXPECT_TRUE(std::isinf(apart[0].geodesic_mm));
     EXPECT_EQ(test::status_of([&] {
-                  measure_lengths(mesh.vertices, mesh.triangles, {{0, static_cast<std::uint32_t>(2 * n)}}, {});
+                  measure_lengths(mesh.vertices, mesh.triangles,
+                                  {{0, static_cast<std::uint32_t>(2 * n)}}, {});
               }),
               Status::mismatch);
 }

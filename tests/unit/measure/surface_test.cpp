@@ -8,8 +8,8 @@
 #include "geometry/rigid_zone.hpp"
 #include "measure/random.hpp"
 #include "measure/scan_volume.hpp"
-#include "spatial/triangle_tree.hpp"
 #include "shapes.hpp"
+#include "spatial/triangle_tree.hpp"
 
 namespace mien {
 namespace {
@@ -174,7 +174,8 @@ TEST(FitAlignment, ASlideOfTheFitOverTheZoneDoesNotTiltTheFace) {
     TriMesh mesh = ellipsoid(5);
     for (Index v = 0; v < mesh.vertices.rows(); ++v)  // a nose
         if (mesh.vertices(v, 2) > 0)
-            mesh.vertices(v, 2) += 25 * std::exp(-mesh.vertices.row(v).head<2>().squaredNorm() / 400);
+            mesh.vertices(v, 2) +=
+                25 * std::exp(-mesh.vertices.row(v).head<2>().squaredNorm() / 400);
     std::vector<std::uint32_t> zone;
     Points slid = mesh.vertices;
     const TriangleTree tree(mesh.vertices, mesh.triangles, Context());
@@ -187,10 +188,12 @@ TEST(FitAlignment, ASlideOfTheFitOverTheZoneDoesNotTiltTheFace) {
     }
     const Similarity motion = known_motion();
     const Points source = motion.inverse().apply(PointsRef(slid));
-    const Similarity by_pairs = align_on_zone(source, mesh.vertices, mesh.triangles, zone, {}).motion;
+    const Similarity by_pairs =
+        align_on_zone(source, mesh.vertices, mesh.triangles, zone, {}).motion;
     const Similarity by_surface = align_fits_on_zone(source, mesh, zone, Context()).motion;
     EXPECT_GT(largest_difference(by_pairs, motion, source), 0.5);
-    EXPECT_LT(largest_difference(by_surface, motion, source), 0.1 * largest_difference(by_pairs, motion, source));
+    EXPECT_LT(largest_difference(by_surface, motion, source),
+              0.1 * largest_difference(by_pairs, motion, source));
 }
 
 TEST(ScanVolume, AlongADirectionIsTheHeightFieldIntegral) {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
+#include <Eigen/Eigenvalues>
 
 #include "base/error.hpp"
 #include "base/random.hpp"
@@ -20,8 +20,8 @@ std::vector<std::uint32_t> every(Index n) {
 }
 
 TEST(Kernel, NamesAreReadBackAndUnknownOnesRefused) {
-    for (const KernelKind kind : {KernelKind::euclidean_se, KernelKind::geodesic_se, KernelKind::bspline,
-                                  KernelKind::surface_matern})
+    for (const KernelKind kind : {KernelKind::euclidean_se, KernelKind::geodesic_se,
+                                  KernelKind::bspline, KernelKind::surface_matern})
         EXPECT_EQ(kernel_from_name(kernel_name(kind)), kind);
     EXPECT_THROW(kernel_from_name("gaussian"), Error);
 }
@@ -87,7 +87,8 @@ TEST(Kernel, MaternVarianceIsTheScaleSquaredOnAverageAndNeverNegative) {
     for (const double nu : {0.5, 2.0, 5.0}) {
         KernelTerm term{KernelKind::surface_matern, 15.0, 3.0, nu};
         const KernelBlocks blocks(mesh, {}, {term}, 150, {}, {});
-        const MaternSpectrum spectrum = matern_spectrum(blocks.eigenpairs().values, blocks.area_mm2(), term);
+        const MaternSpectrum spectrum =
+            matern_spectrum(blocks.eigenpairs().values, blocks.area_mm2(), term);
         EXPECT_GE(spectrum.variances.minCoeff(), 0);
         for (Index j = 1; j < spectrum.variances.size(); ++j)
             EXPECT_LE(spectrum.variances[j], spectrum.variances[j - 1] * (1 + 1e-9));
@@ -118,7 +119,8 @@ TEST(FarthestPoints, SpreadsEvenlyAndDeterministically) {
     double least = 1e9, farthest = 0;
     for (std::size_t i = 0; i < chosen.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
-            least = std::min(least, (mesh.vertices.row(chosen[i]) - mesh.vertices.row(chosen[j])).norm());
+            least = std::min(least,
+                             (mesh.vertices.row(chosen[i]) - mesh.vertices.row(chosen[j])).norm());
     for (Index v = 0; v < mesh.vertices.rows(); ++v) {
         double nearest = 1e9;
         for (const std::uint32_t c : chosen)

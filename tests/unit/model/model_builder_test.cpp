@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
-#include <cmath>
 
 #include "base/error.hpp"
 #include "base/thread_pool.hpp"
@@ -60,7 +60,8 @@ TEST_P(EveryKernel, SameBitsForAnyNumberOfThreads) {
     ThreadPool pool(3);
     Context context;
     context.pool = &pool;
-    const BuiltModel one = build(mesh, options_of(GetParam())), three = build(mesh, options_of(GetParam()), context);
+    const BuiltModel one = build(mesh, options_of(GetParam())),
+                     three = build(mesh, options_of(GetParam()), context);
     EXPECT_EQ(one.model->basis.map(), three.model->basis.map());
     EXPECT_EQ(one.model->eigenvalues, three.model->eigenvalues);
 }
@@ -73,18 +74,24 @@ TEST_P(EveryKernel, MovingTheTemplateRigidlyKeepsThePriorCovariance) {
         return Matrix(basis * basis.transpose());
     };
     const Matrix before = covariance();
-    mesh.vertices = (mesh.vertices * Eigen::AngleAxisd(0.4, Vector3(1, 1, 0).normalized()).toRotationMatrix()).eval();
+    mesh.vertices =
+        (mesh.vertices * Eigen::AngleAxisd(0.4, Vector3(1, 1, 0).normalized()).toRotationMatrix())
+            .eval();
     mesh.vertices.rowwise() += Eigen::RowVector3d(10, 20, 30);
     EXPECT_LT((covariance() - before).cwiseAbs().maxCoeff(), 2e-3);
 }
 
-// Nothing of a model may be NaN, and the vertices far from a defect keep the prior they have without it.
+// Nothing of a model may be NaN, and the vertices far from a defect keep the prior they have
+// without it.
 void expect_sound(const TriMesh& whole, const TriMesh& defective, KernelKind kind) {
-    const BuiltModel before = build(whole, options_of(kind)), built = build(defective, options_of(kind));
+    const BuiltModel before = build(whole, options_of(kind)),
+                     built = build(defective, options_of(kind));
     ASSERT_TRUE(built.model->basis.map().allFinite());
     EXPECT_TRUE(std::isfinite(built.report.variance_explained));
     EXPECT_TRUE(std::isfinite(built.report.max_variance_error));
-    const auto variance = [](const BuiltModel& model, Index i) { return model.model->basis.map().row(i).squaredNorm(); };
+    const auto variance = [](const BuiltModel& model, Index i) {
+        return model.model->basis.map().row(i).squaredNorm();
+    };
     const Index far = whole.vertices.rows() - 1;
     EXPECT_NEAR(variance(built, far), variance(before, far), 0.2 * variance(before, far));
 }
@@ -101,7 +108,8 @@ TEST_P(EveryKernel, DuplicateVerticesMoveTogether) {
     expect_sound(bumpy_sheet(14), mesh, GetParam());
     const BuiltModel built = build(mesh, options_of(GetParam()));
     const auto basis = built.model->basis.map();
-    // Heat distances about a collapsed edge of so coarse a sheet are wrong by a part of the edges around it.
+    // Heat distances about a collapsed edge of so coarse a sheet are wrong by a part of the edges
+    // around it.
     const double apart = GetParam() == KernelKind::geodesic_se ? 0.3 : 0.05;
     EXPECT_LT((basis.row(50) - basis.row(51)).norm(), apart * basis.row(50).norm());
 }
@@ -112,7 +120,8 @@ TEST_P(EveryKernel, NonManifoldEdgesAreBorne) {
     mesh.vertices.conservativeResize(n + 1, 3);
     mesh.vertices.row(n) = mesh.vertices.row(mesh.triangles(40, 0)) + Eigen::RowVector3d(0, 0, 8);
     mesh.triangles.conservativeResize(t + 1, 3);
-    mesh.triangles.row(t) << mesh.triangles(40, 0), mesh.triangles(40, 1), static_cast<std::uint32_t>(n);
+    mesh.triangles.row(t) << mesh.triangles(40, 0), mesh.triangles(40, 1),
+        static_cast<std::uint32_t>(n);
     expect_sound(bumpy_sheet(14), mesh, GetParam());
 }
 
@@ -121,9 +130,11 @@ TEST_P(EveryKernel, ComponentsThatLieApartAreIndependent) {
     const TriMesh other = bumpy_sheet(6);
     const Index n = mesh.vertices.rows(), t = mesh.triangles.rows();
     mesh.vertices.conservativeResize(n + other.vertices.rows(), 3);
-    mesh.vertices.bottomRows(other.vertices.rows()) = other.vertices.rowwise() + Eigen::RowVector3d(400, 0, 0);
+    mesh.vertices.bottomRows(other.vertices.rows()) =
+        other.vertices.rowwise() + Eigen::RowVector3d(400, 0, 0);
     mesh.triangles.conservativeResize(t + other.triangles.rows(), 3);
-    mesh.triangles.bottomRows(other.triangles.rows()) = other.triangles.array() + static_cast<std::uint32_t>(n);
+    mesh.triangles.bottomRows(other.triangles.rows()) =
+        other.triangles.array() + static_cast<std::uint32_t>(n);
     expect_sound(bumpy_sheet(14), mesh, GetParam());
     const Matrix basis = build(mesh, options_of(GetParam())).model->basis.map().cast<double>();
     const Matrix across = basis.topRows(n) * basis.bottomRows(other.vertices.rows()).transpose();
@@ -131,8 +142,8 @@ TEST_P(EveryKernel, ComponentsThatLieApartAreIndependent) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, EveryKernel,
-                         testing::Values(KernelKind::euclidean_se, KernelKind::geodesic_se, KernelKind::bspline,
-                                         KernelKind::surface_matern));
+                         testing::Values(KernelKind::euclidean_se, KernelKind::geodesic_se,
+                                         KernelKind::bspline, KernelKind::surface_matern));
 
 TEST(ModelBuilder, EnoughModesReproduceThePositiveDefiniteKernel) {
     const TriMesh mesh = bumpy_sheet(12);
@@ -142,7 +153,8 @@ TEST(ModelBuilder, EnoughModesReproduceThePositiveDefiniteKernel) {
     double worst = 0;
     for (Index i = 0; i < 169; i += 7)
         for (Index j = 0; j < 169; ++j) {
-            const double k = std::exp(-(mesh.vertices.row(i) - mesh.vertices.row(j)).squaredNorm() / 1800);
+            const double k =
+                std::exp(-(mesh.vertices.row(i) - mesh.vertices.row(j)).squaredNorm() / 1800);
             worst = std::max(worst, std::abs(basis.row(i).dot(basis.row(j)) - k));
         }
     EXPECT_LT(worst, 1e-5);
@@ -229,15 +241,22 @@ TEST(ModelBuilder, OptionsOutOfRangeAreTypedErrors) {
         }
         return Status::ok;
     };
-    EXPECT_EQ(status([](ModelOptions& o, TriMesh&) { o.kernels[0].sigma_mm = 0; }), Status::invalid_argument);
-    EXPECT_EQ(status([](ModelOptions& o, TriMesh&) { o.kernels[0].scale_mm = std::nan(""); }), Status::invalid_argument);
-    EXPECT_EQ(status([](ModelOptions& o, TriMesh&) { o.kernels.clear(); }), Status::invalid_argument);
+    EXPECT_EQ(status([](ModelOptions& o, TriMesh&) { o.kernels[0].sigma_mm = 0; }),
+              Status::invalid_argument);
+    EXPECT_EQ(status([](ModelOptions& o, TriMesh&) { o.kernels[0].scale_mm = std::nan(""); }),
+              Status::invalid_argument);
+    EXPECT_EQ(status([](ModelOptions& o, TriMesh&) { o.kernels.clear(); }),
+              Status::invalid_argument);
     EXPECT_EQ(status([](ModelOptions& o, TriMesh&) { o.num_modes = 2; }), Status::invalid_argument);
     EXPECT_EQ(status([](ModelOptions& o, TriMesh&) { o.tolerance = 1; }), Status::invalid_argument);
-    EXPECT_EQ(status([](ModelOptions&, TriMesh& m) { m.triangles.resize(0, 3); }), Status::invalid_mesh);
-    EXPECT_EQ(status([](ModelOptions&, TriMesh& m) { m.vertices(3, 2) = INFINITY; }), Status::invalid_mesh);
+    EXPECT_EQ(status([](ModelOptions&, TriMesh& m) { m.triangles.resize(0, 3); }),
+              Status::invalid_mesh);
+    EXPECT_EQ(status([](ModelOptions&, TriMesh& m) { m.vertices(3, 2) = INFINITY; }),
+              Status::invalid_mesh);
     EXPECT_EQ(status([](ModelOptions&, TriMesh&) {}), Status::ok);
-    EXPECT_THROW(build_deformation_model(mesh, {{"nose", 49}}, {}, options_of(KernelKind::bspline), {}), Error);
+    EXPECT_THROW(
+        build_deformation_model(mesh, {{"nose", 49}}, {}, options_of(KernelKind::bspline), {}),
+        Error);
 }
 
 TEST(ModelBuilder, CancelsAndReportsProgressInOrder) {
@@ -249,7 +268,8 @@ TEST(ModelBuilder, CancelsAndReportsProgressInOrder) {
     } seen;
     Context context;
     context.progress_user = &seen;
-    context.progress_function = [](void* user, std::int32_t stage, double fraction) -> std::int32_t {
+    context.progress_function = [](void* user, std::int32_t stage,
+                                   double fraction) -> std::int32_t {
         Seen& s = *static_cast<Seen*>(user);
         if (stage == s.stage && fraction < s.fraction) s.fell = true;
         s.stage = stage;
@@ -285,8 +305,9 @@ TEST(ModelBuilder, BudgetIsHeldBeforeMemoryIsTaken) {
 
 TEST(PointDistribution, RecoversTheShapesThatMadeTheFaces) {
     const TriMesh mesh = bumpy_sheet(14);
-    const FaceDataset faces =
-        FaceDataset::open(write_faces(mesh, mesh.vertices.rows(), 9, testing::TempDir() + "pca_full.safetensors"), {}, {});
+    const FaceDataset faces = FaceDataset::open(
+        write_faces(mesh, mesh.vertices.rows(), 9, testing::TempDir() + "pca_full.safetensors"), {},
+        {});
     PcaOptions options;
     options.variance = 0.9999;
     const PointDistribution pca = train_point_distribution(faces, mesh, options, {});
@@ -297,7 +318,8 @@ TEST(PointDistribution, RecoversTheShapesThatMadeTheFaces) {
     faces.face(8, face);
     Vector y(3 * mesh.vertices.rows());
     for (Index v = 0; v < mesh.vertices.rows(); ++v)
-        for (int c = 0; c < 3; ++c) y[3 * v + c] = face(v, c) - mesh.vertices(v, c) - pca.mean(v, c);
+        for (int c = 0; c < 3; ++c)
+            y[3 * v + c] = face(v, c) - mesh.vertices(v, c) - pca.mean(v, c);
     const Matrix modes = pca.modes.cast<double>();
     const Vector c = (modes.transpose() * modes).ldlt().solve(modes.transpose() * y);
     EXPECT_LT((y - modes * c).cwiseAbs().maxCoeff(), 1e-4);
@@ -310,8 +332,8 @@ TEST(PointDistribution, RecoversTheShapesThatMadeTheFaces) {
 TEST(PointDistribution, PartialFacesAreContinuedSmoothly) {
     const TriMesh mesh = bumpy_sheet(14);
     const Index covered = 15 * 11;
-    const FaceDataset faces =
-        FaceDataset::open(write_faces(mesh, covered, 9, testing::TempDir() + "pca_part.safetensors"), {}, {});
+    const FaceDataset faces = FaceDataset::open(
+        write_faces(mesh, covered, 9, testing::TempDir() + "pca_part.safetensors"), {}, {});
     ModelOptions options = options_of(KernelKind::geodesic_se, 20, 90);
     options.pca_faces = &faces;
     const BuiltModel built = build(mesh, options);
@@ -321,16 +343,20 @@ TEST(PointDistribution, PartialFacesAreContinuedSmoothly) {
     EXPECT_EQ(built.model->info.at("pca_vertices"), std::to_string(covered));
     // No jump across the edge of what was covered, no runaway beyond it.
     const double inside = modes.topRows(3 * covered).cwiseAbs().maxCoeff();
-    EXPECT_LT(modes.bottomRows(3 * (mesh.vertices.rows() - covered)).cwiseAbs().maxCoeff(), 2 * inside);
+    EXPECT_LT(modes.bottomRows(3 * (mesh.vertices.rows() - covered)).cwiseAbs().maxCoeff(),
+              2 * inside);
     for (Index x = 0; x < 15; ++x)
         for (int c = 0; c < 3; ++c)
-            EXPECT_LT(std::abs(modes(3 * (covered + x) + c, 0) - modes(3 * (covered - 15 + x) + c, 0)), 0.4 * inside);
+            EXPECT_LT(
+                std::abs(modes(3 * (covered + x) + c, 0) - modes(3 * (covered - 15 + x) + c, 0)),
+                0.4 * inside);
 }
 
 TEST(PointDistribution, ModesAloneMakeAModelAndForeignFacesAreRefused) {
     const TriMesh mesh = bumpy_sheet(10);
     const FaceDataset faces = FaceDataset::open(
-        write_faces(mesh, mesh.vertices.rows(), 4, testing::TempDir() + "pca_alone.safetensors"), {}, {});
+        write_faces(mesh, mesh.vertices.rows(), 4, testing::TempDir() + "pca_alone.safetensors"),
+        {}, {});
     ModelOptions options;
     options.kernels.clear();
     options.pca_faces = &faces;
@@ -354,8 +380,10 @@ TEST(Sampling, DrawsDependOnSeedAndIndexAndHaveThePriorsVariance) {
     Points squares = Points::Zero(mesh.vertices.rows(), 3);
     const int count = 400;
     for (int k = 0; k < count; ++k)
-        squares += (sample_face(*built.model, 1, static_cast<std::uint64_t>(k), 1.0, {}).vertices - mesh.vertices)
-                       .cwiseAbs2() / count;
+        squares += (sample_face(*built.model, 1, static_cast<std::uint64_t>(k), 1.0, {}).vertices -
+                    mesh.vertices)
+                       .cwiseAbs2() /
+                   count;
     EXPECT_NEAR(squares.mean() / variance.mean(), 1, 0.1);
     EXPECT_NEAR(squares.row(5).mean() / variance.row(5).mean(), 1, 0.25);
     EXPECT_THROW(sample_face(*built.model, 1, 1, -1.0, {}), Error);

@@ -6,8 +6,8 @@
 
 #include "base/error.hpp"
 #include "model/model_builder.hpp"
-#include "unit/model/support.hpp"
 #include "model/tuning.hpp"
+#include "unit/model/support.hpp"
 
 namespace mien {
 namespace {
@@ -15,7 +15,9 @@ namespace {
 using model_test::bumpy_sheet;
 using model_test::write_faces;
 
-std::string temporary(const std::string& name) { return testing::TempDir() + "mien_model_" + name; }
+std::string temporary(const std::string& name) {
+    return testing::TempDir() + "mien_model_" + name;
+}
 
 std::string bytes_of(const std::string& path) {
     std::ifstream in(path, std::ios::binary);
@@ -25,13 +27,16 @@ std::string bytes_of(const std::string& path) {
 BuiltModel full_model() {
     TriMesh mesh = bumpy_sheet(10);
     mesh.colors = Colors::Constant(121, 3, 77);
-    const FaceDataset faces = FaceDataset::open(write_faces(mesh, 121, 5, temporary("faces.safetensors")), {}, {});
+    const FaceDataset faces =
+        FaceDataset::open(write_faces(mesh, 121, 5, temporary("faces.safetensors")), {}, {});
     ModelOptions options;
-    options.num_modes = 63;  // an odd number of scalar modes and of vertices: nothing lines up by itself
+    options.num_modes =
+        63;  // an odd number of scalar modes and of vertices: nothing lines up by itself
     options.mirror_symmetric = true;
     options.mirror_correlation = 0.5;
     options.pca_faces = &faces;
-    return build_deformation_model(mesh, {{"nose", 60}, {"chin", 3}}, {{"brow", {1, 5, 9}}, {"empty", {}}}, options, {});
+    return build_deformation_model(mesh, {{"nose", 60}, {"chin", 3}},
+                                   {{"brow", {1, 5, 9}}, {"empty", {}}}, options, {});
 }
 
 TEST(ModelFile, KeepsEveryBit) {
@@ -72,8 +77,10 @@ TEST(ModelFile, DamageIsATypedError) {
     const std::string path = temporary("damage.safetensors");
     save_deformation_model(path, *full_model().model, {});
     const std::string good = bytes_of(path);
-    const auto status_of = [&](const std::string& bytes, const SafetensorsReadOptions& options = {}) {
-        std::ofstream(path, std::ios::binary | std::ios::trunc).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    const auto status_of = [&](const std::string& bytes,
+                               const SafetensorsReadOptions& options = {}) {
+        std::ofstream(path, std::ios::binary | std::ios::trunc)
+            .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
         try {
             load_deformation_model(path, options, {});
         } catch (const Error& error) {

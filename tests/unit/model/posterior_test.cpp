@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
 #include <cmath>
+#include <Eigen/Cholesky>
 
 #include "base/error.hpp"
 #include "model/model_builder.hpp"
@@ -14,7 +14,8 @@ namespace {
 
 using model_test::bumpy_sheet;
 
-std::shared_ptr<const DeformationModel> prior_of(const TriMesh& mesh, const FaceDataset* faces = nullptr) {
+std::shared_ptr<const DeformationModel> prior_of(const TriMesh& mesh,
+                                                 const FaceDataset* faces = nullptr) {
     ModelOptions options;
     options.kernels[0] = {KernelKind::euclidean_se, 25.0, 2.0, 2.0};
     options.num_modes = 240;
@@ -23,13 +24,17 @@ std::shared_ptr<const DeformationModel> prior_of(const TriMesh& mesh, const Face
 }
 
 std::vector<LandmarkObservation> observations() {
-    return {{5, {1.0, -2.0, 0.5}, 0.3}, {70, {0.2, 0.1, 3.0}, 1.0}, {71, {0.0, 0.4, 2.0}, 0.05}, {120, {-4, 0, 0}, 2.0}};
+    return {{5, {1.0, -2.0, 0.5}, 0.3},
+            {70, {0.2, 0.1, 3.0}, 1.0},
+            {71, {0.0, 0.4, 2.0}, 0.05},
+            {120, {-4, 0, 0}, 2.0}};
 }
 
 /// The full covariance, 3#V x 3#V, and mean of a model.
 void dense_prior(const DeformationModel& model, Matrix& covariance, Vector& mean) {
     const Index n = model.num_vertices();
-    const Matrix basis = model.basis.map().cast<double>(), modes = model.pca_modes.map().cast<double>();
+    const Matrix basis = model.basis.map().cast<double>(),
+                 modes = model.pca_modes.map().cast<double>();
     covariance.setZero(3 * n, 3 * n);
     const Matrix scalar = basis * basis.transpose();
     for (Index i = 0; i < n; ++i)
@@ -43,8 +48,8 @@ void dense_prior(const DeformationModel& model, Matrix& covariance, Vector& mean
 }
 
 /// (2.13) and (2.14) as they stand, over the whole template.
-void dense_posterior(const DeformationModel& model, const std::vector<LandmarkObservation>& seen, Matrix& covariance,
-                     Vector& mean) {
+void dense_posterior(const DeformationModel& model, const std::vector<LandmarkObservation>& seen,
+                     Matrix& covariance, Vector& mean) {
     dense_prior(model, covariance, mean);
     const Index h = 3 * static_cast<Index>(seen.size());
     Matrix across(covariance.rows(), h), inner(h, h);
@@ -57,8 +62,10 @@ void dense_posterior(const DeformationModel& model, const std::vector<LandmarkOb
     }
     for (Index i = 0; i < h; ++i)
         for (Index j = 0; j < h; ++j)
-            inner(i, j) = across(3 * static_cast<Index>(seen[static_cast<std::size_t>(i / 3)].vertex) + i % 3, j);
-    for (Index i = 0; i < h; ++i) inner(i, i) += std::pow(seen[static_cast<std::size_t>(i / 3)].noise_mm, 2);
+            inner(i, j) = across(
+                3 * static_cast<Index>(seen[static_cast<std::size_t>(i / 3)].vertex) + i % 3, j);
+    for (Index i = 0; i < h; ++i)
+        inner(i, i) += std::pow(seen[static_cast<std::size_t>(i / 3)].noise_mm, 2);
     const Eigen::LDLT<Matrix> factor(inner);
     mean += across * factor.solve(y);
     covariance -= (across * factor.solve(across.transpose())).eval();
@@ -80,15 +87,18 @@ TEST(Posterior, EqualsGaussianProcessRegression) {
 
 TEST(Posterior, EqualsGaussianProcessRegressionWithVectorModesAndMean) {
     const TriMesh mesh = bumpy_sheet(11);
-    const FaceDataset faces = FaceDataset::open(
-        model_test::write_faces(mesh, mesh.vertices.rows(), 7, testing::TempDir() + "posterior.safetensors"), {}, {});
+    const FaceDataset faces =
+        FaceDataset::open(model_test::write_faces(mesh, mesh.vertices.rows(), 7,
+                                                  testing::TempDir() + "posterior.safetensors"),
+                          {}, {});
     expect_same(*prior_of(mesh, &faces), observations());
 }
 
 TEST(Posterior, VarianceAtLandmarksFallsToTheNoiseAndNowhereRises) {
     const auto prior = prior_of(bumpy_sheet(11));
     const auto posterior = condition_model(*prior, observations(), {});
-    const Points before = pointwise_variance(*prior, {}), after = pointwise_variance(*posterior, {});
+    const Points before = pointwise_variance(*prior, {}),
+                 after = pointwise_variance(*posterior, {});
     EXPECT_LT((after - before).maxCoeff(), 1e-5);
     for (const LandmarkObservation& seen : observations())
         EXPECT_LE(std::sqrt(after(seen.vertex, 0)), seen.noise_mm * 1.001);
@@ -97,17 +107,22 @@ TEST(Posterior, VarianceAtLandmarksFallsToTheNoiseAndNowhereRises) {
 TEST(Posterior, ConditioningInTwoStepsIsConditioningAtOnce) {
     const auto prior = prior_of(bumpy_sheet(11));
     const auto seen = observations();
-    const auto steps = condition_model(*condition_model(*prior, {seen[0], seen[1]}, {}), {seen[2], seen[3]}, {});
+    const auto steps =
+        condition_model(*condition_model(*prior, {seen[0], seen[1]}, {}), {seen[2], seen[3]}, {});
     const auto once = condition_model(*prior, seen, {});
     EXPECT_LT((steps->mean_displacement - once->mean_displacement).cwiseAbs().maxCoeff(), 1e-3);
-    EXPECT_LT((pointwise_variance(*steps, {}) - pointwise_variance(*once, {})).cwiseAbs().maxCoeff(), 1e-3);
+    EXPECT_LT(
+        (pointwise_variance(*steps, {}) - pointwise_variance(*once, {})).cwiseAbs().maxCoeff(),
+        1e-3);
 }
 
 TEST(Posterior, HugeNoiseChangesNothing) {
     const auto prior = prior_of(bumpy_sheet(11));
     const auto posterior = condition_model(*prior, {{3, {1, 1, 1}, 1e6}}, {});
     EXPECT_LT(posterior->mean_displacement.cwiseAbs().maxCoeff(), 1e-9);
-    EXPECT_LT((pointwise_variance(*posterior, {}) - pointwise_variance(*prior, {})).cwiseAbs().maxCoeff(), 1e-5);
+    EXPECT_LT(
+        (pointwise_variance(*posterior, {}) - pointwise_variance(*prior, {})).cwiseAbs().maxCoeff(),
+        1e-5);
 }
 
 TEST(Posterior, RefusesWrongObservations) {

@@ -17,7 +17,8 @@ inline TriMesh bumpy_sheet(int n, double height = 12.0) {
     for (int y = 0; y <= n; ++y)
         for (int x = 0; x <= n; ++x) {
             const double u = 100.0 * x / n - 50, v = 100.0 * y / n - 50;
-            mesh.vertices.row(y * (n + 1) + x) << u, v, height * std::cos(u / 15) * std::cos(v / 22 + 0.4);
+            mesh.vertices.row(y * (n + 1) + x) << u, v,
+                height * std::cos(u / 15) * std::cos(v / 22 + 0.4);
         }
     Index t = 0;
     for (int y = 0; y < n; ++y)
@@ -36,9 +37,10 @@ inline TriMesh bumpy_sheet(int n, double height = 12.0) {
     return mesh;
 }
 
-/// Faces = template + sum_k weight_k shape_k over the first `covered` rows of the sheet's vertices; the
-/// weights of two known shapes vary with the subject.
-inline std::string write_faces(const TriMesh& mesh, Index covered, int subjects, const std::string& path) {
+/// Faces = template + sum_k weight_k shape_k over the first `covered` rows of the sheet's vertices;
+/// the weights of two known shapes vary with the subject.
+inline std::string write_faces(const TriMesh& mesh, Index covered, int subjects,
+                               const std::string& path) {
     Triangles triangles(mesh.triangles.rows(), 3);
     Index used = 0;
     for (Index t = 0; t < mesh.triangles.rows(); ++t)

@@ -28,9 +28,15 @@ TriMesh plate() {
     return mesh;
 }
 
-bool is_brow(double x, double y) { return std::abs(y - 40) < 3.5 && std::abs(std::abs(x) - 30) < 20; }
-bool is_lip(double x, double y) { return x * x / 625 + (y + 30) * (y + 30) / 81 < 1; }
-const int* face_paint(double x, double y) { return is_brow(x, y) ? kHair : is_lip(x, y) ? kLip : kSkin; }
+bool is_brow(double x, double y) {
+    return std::abs(y - 40) < 3.5 && std::abs(std::abs(x) - 30) < 20;
+}
+bool is_lip(double x, double y) {
+    return x * x / 625 + (y + 30) * (y + 30) / 81 < 1;
+}
+const int* face_paint(double x, double y) {
+    return is_brow(x, y) ? kHair : is_lip(x, y) ? kLip : kSkin;
+}
 
 struct PaintedFace {
     DeformationModel model;
@@ -53,7 +59,8 @@ PaintedFace painted_face() {
     }
     for (int k = 0; k < 12; ++k) {
         const double turn = 3.14159265358979 * (1 - k / 6.0);
-        add("mouth_outer_" + std::string(k < 10 ? "0" : "") + std::to_string(k), 25 * std::cos(turn), -30 + 9 * std::sin(turn));
+        add("mouth_outer_" + std::string(k < 10 ? "0" : "") + std::to_string(k),
+            25 * std::cos(turn), -30 + 9 * std::sin(turn));
     }
     for (const double side : {-1.0, 1.0}) {
         const std::string name = side < 0 ? "eye_right_" : "eye_left_";
@@ -87,7 +94,8 @@ struct Sight {
     }
 };
 
-std::vector<ColorPull> pulls_of(const ColorFeatures& colors, const Points& places, const Points& normals, double blur_mm) {
+std::vector<ColorPull> pulls_of(const ColorFeatures& colors, const Points& places,
+                                const Points& normals, double blur_mm) {
     std::vector<Correspondences> matches;
     return colors.pulls(places, normals, {}, blur_mm, matches, {});
 }
@@ -108,7 +116,8 @@ TEST(ColorFeatures, PullTowardsWhereTheFeaturesAre) {
     const PaintedFace face = painted_face();
     const Points& rest = face.model.template_mesh.vertices;
     for (const Vector3& shift : {Vector3(0, 3, 0), Vector3(0, -3, 0), Vector3(1.5, 1, 0)}) {
-        const Sight sight(face, [&](double x, double y) { return face_paint(x - shift[0], y - shift[1]); });
+        const Sight sight(
+            face, [&](double x, double y) { return face_paint(x - shift[0], y - shift[1]); });
         const Eigen::Vector2d found = shift_of(pulls_of(sight.colors, rest, face.normals, 1.5));
         EXPECT_LT((found - shift.head<2>()).norm(), 0.35 * shift.norm()) << found.transpose();
     }
@@ -117,17 +126,21 @@ TEST(ColorFeatures, PullTowardsWhereTheFeaturesAre) {
 TEST(ColorFeatures, ABlurredLookFeelsFromAfar) {
     const PaintedFace face = painted_face();
     const Sight sight(face, [&](double x, double y) { return face_paint(x, y - 9); });
-    EXPECT_GT(shift_of(pulls_of(sight.colors, face.model.template_mesh.vertices, face.normals, 8))[1], 2);
+    EXPECT_GT(
+        shift_of(pulls_of(sight.colors, face.model.template_mesh.vertices, face.normals, 8))[1], 2);
 }
 
 TEST(ColorFeatures, InPlaceDoNotPullAndAgree) {
     const PaintedFace face = painted_face();
     const Sight sight(face, face_paint);
     const Points& rest = face.model.template_mesh.vertices;
-    EXPECT_LT(shift_of(pulls_of(sight.colors, rest, face.normals, 1.5)).norm(), 0.4);  // brows painted as boxes
-    const std::vector<ColorAgreement> agreements = sight.colors.agreements(rest, face.normals, {}, {});
+    EXPECT_LT(shift_of(pulls_of(sight.colors, rest, face.normals, 1.5)).norm(),
+              0.4);  // brows painted as boxes
+    const std::vector<ColorAgreement> agreements =
+        sight.colors.agreements(rest, face.normals, {}, {});
     ASSERT_EQ(agreements.size(), 3u);
-    for (const ColorAgreement& feature : agreements) EXPECT_GT(feature.correlation, 0.8) << feature.name;
+    for (const ColorAgreement& feature : agreements)
+        EXPECT_GT(feature.correlation, 0.8) << feature.name;
 }
 
 TEST(ColorFeatures, TurnWithTheScan) {
@@ -136,8 +149,10 @@ TEST(ColorFeatures, TurnWithTheScan) {
     const Paint paint = [](double x, double y) { return face_paint(x, y - 2); };
     const Sight here(face, paint), there(face, paint, motion);
     const Points& rest = face.model.template_mesh.vertices;
-    const Points moved = motion.apply(PointsRef(rest)), turned = face.normals * motion.rotation.transpose();
-    const auto a = pulls_of(here.colors, rest, face.normals, 2), b = pulls_of(there.colors, moved, turned, 2);
+    const Points moved = motion.apply(PointsRef(rest)),
+                 turned = face.normals * motion.rotation.transpose();
+    const auto a = pulls_of(here.colors, rest, face.normals, 2),
+               b = pulls_of(there.colors, moved, turned, 2);
     ASSERT_EQ(a.size(), b.size());
     for (std::size_t k = 0; k < a.size(); ++k) {
         EXPECT_LT((motion.rotation * a[k].gradient - b[k].gradient).norm(), 1e-6);
@@ -151,21 +166,26 @@ TEST(ColorFeatures, SayNothingOfAPlainScanNorOfFeaturesElsewhere) {
     const Points& rest = face.model.template_mesh.vertices;
     const Sight plain(face, [](double, double) { return kSkin; });
     EXPECT_TRUE(pulls_of(plain.colors, rest, face.normals, 2).empty());
-    for (const ColorAgreement& feature : plain.colors.agreements(rest, face.normals, {}, {})) EXPECT_EQ(feature.correlation, 0);
-    const Sight upside_down(face, [](double x, double y) { return std::abs(y - 40) > 6 && y > 20 ? kHair : is_lip(x, y + 18) ? kLip : kSkin; });
+    for (const ColorAgreement& feature : plain.colors.agreements(rest, face.normals, {}, {}))
+        EXPECT_EQ(feature.correlation, 0);
+    const Sight upside_down(face, [](double x, double y) {
+        return std::abs(y - 40) > 6 && y > 20 ? kHair : is_lip(x, y + 18) ? kLip : kSkin;
+    });
     EXPECT_TRUE(pulls_of(upside_down.colors, rest, face.normals, 2).empty());
 }
 
 TEST(ColorFeatures, NeedColorsAndNames) {
     PaintedFace face = painted_face();
     const Sight sight(face, face_paint);
-    EXPECT_TRUE(ColorFeatures(face.model, face.inner, sight.scan, sight.no_weights, Colors(), {}).empty());
+    EXPECT_TRUE(
+        ColorFeatures(face.model, face.inner, sight.scan, sight.no_weights, Colors(), {}).empty());
     const Colors colors = painted(face.model.template_mesh.vertices, face_paint);
     face.model.landmarks.resize(9);  // one brow left
     const ColorFeatures half(face.model, face.inner, sight.scan, sight.no_weights, colors, {});
     EXPECT_LE(half.agreements(face.model.template_mesh.vertices, face.normals, {}, {}).size(), 1u);
     face.model.landmarks.clear();
-    EXPECT_TRUE(ColorFeatures(face.model, face.inner, sight.scan, sight.no_weights, colors, {}).empty());
+    EXPECT_TRUE(
+        ColorFeatures(face.model, face.inner, sight.scan, sight.no_weights, colors, {}).empty());
 }
 
 TEST(ColorFeatures, TheZoneOfTheLipsOutranksTheLandmarks) {
@@ -173,7 +193,8 @@ TEST(ColorFeatures, TheZoneOfTheLipsOutranksTheLandmarks) {
     const Points& rest = face.model.template_mesh.vertices;
     Zone lips{"lips", {}};
     for (Index i = 0; i < rest.rows(); ++i)
-        if (is_lip(rest(i, 0), rest(i, 1) - 4)) lips.vertices.push_back(static_cast<std::uint32_t>(i));
+        if (is_lip(rest(i, 0), rest(i, 1) - 4))
+            lips.vertices.push_back(static_cast<std::uint32_t>(i));
     face.model.zones.push_back(lips);
     const Sight sight(face, [](double x, double y) { return is_lip(x, y - 4) ? kLip : kSkin; });
     EXPECT_LT(shift_of(pulls_of(sight.colors, rest, face.normals, 1.5)).norm(), 0.1);
@@ -186,10 +207,12 @@ TEST(ShutLids, AreSeenByTheirColor) {
     // The right eye is open: white, brown and black.
     static const int kWhite[3] = {232, 226, 220}, kBlack[3] = {15, 15, 15};
     const Sight sight(face, [](double x, double y) -> const int* {
-        if (std::abs(x + 30) < 14 && std::abs(y - 15) < 5) return std::abs(x + 30) < 4 ? kBlack : kWhite;
+        if (std::abs(x + 30) < 14 && std::abs(y - 15) < 5)
+            return std::abs(x + 30) < 4 ? kBlack : kWhite;
         return face_paint(x, y);
     });
-    EXPECT_TRUE(shut_lids(face.model, sight.scan, state, 1.5, {}).empty()) << "no colours, no opinion";
+    EXPECT_TRUE(shut_lids(face.model, sight.scan, state, 1.5, {}).empty())
+        << "no colours, no opinion";
     state.colors = &sight.colors;
     const std::vector<Pin> pins = shut_lids(face.model, sight.scan, state, 1.5, {});
     ASSERT_EQ(pins.size(), 6u);

@@ -15,11 +15,13 @@ void add_plate(TriMesh& mesh, double z, bool upwards) {
     mesh.vertices.conservativeResize(first + kSide * kSide, 3);
     mesh.triangles.conservativeResize(old + 2 * (kSide - 1) * (kSide - 1), 3);
     for (int j = 0; j < kSide; ++j)
-        for (int i = 0; i < kSide; ++i) mesh.vertices.row(first + j * kSide + i) << 2.0 * i, 2.0 * j, z;
+        for (int i = 0; i < kSide; ++i)
+            mesh.vertices.row(first + j * kSide + i) << 2.0 * i, 2.0 * j, z;
     Index t = old;
     for (int j = 0; j + 1 < kSide; ++j)
         for (int i = 0; i + 1 < kSide; ++i) {
-            const auto a = static_cast<std::uint32_t>(first + j * kSide + i), b = a + 1, c = a + kSide, d = c + 1;
+            const auto a = static_cast<std::uint32_t>(first + j * kSide + i), b = a + 1,
+                       c = a + kSide, d = c + 1;
             mesh.triangles.row(t++) << a, (upwards ? b : d), (upwards ? d : b);
             mesh.triangles.row(t++) << a, (upwards ? d : c), (upwards ? c : d);
         }
@@ -36,7 +38,9 @@ TriMesh pocket() {
     return mesh;
 }
 
-Index middle(int plate) { return plate * kSide * kSide + (kSide / 2) * kSide + kSide / 2; }
+Index middle(int plate) {
+    return plate * kSide * kSide + (kSide / 2) * kSide + kSide / 2;
+}
 
 TEST(InnerVertices, WallsThatFaceEachOtherAreFoundAndSkinIsNot) {
     const std::vector<std::uint8_t> inner = find_inner_vertices(pocket(), Context());
@@ -61,9 +65,12 @@ TEST(InnerVertices, AScansSlimNoseTakesTheNostrilsSacAlong) {
     for (Index v = 0; v < places.rows(); ++v)
         if (!inner[static_cast<std::size_t>(v)]) places.row(v) += shift;
     const Points before = places;
-    carry_inner(mesh, build_rings(mesh.vertices.rows(), mesh.triangles), mesh.vertices, inner, places, Context());
+    carry_inner(mesh, build_rings(mesh.vertices.rows(), mesh.triangles), mesh.vertices, inner,
+                places, Context());
     for (const int plate : {1, 2})
-        EXPECT_LT((places.row(middle(plate)) - mesh.vertices.row(middle(plate)) - shift).norm(), 1e-9) << plate;
+        EXPECT_LT((places.row(middle(plate)) - mesh.vertices.row(middle(plate)) - shift).norm(),
+                  1e-9)
+            << plate;
     for (Index v = 0; v < places.rows(); ++v)
         if (!inner[static_cast<std::size_t>(v)]) {
             EXPECT_EQ(places.row(v), before.row(v));
@@ -89,7 +96,8 @@ TEST(InnerVertices, TheInsideOfALipGoesWithItsOwnLip) {
     Points places = mesh.vertices;
     for (Index v = kSide * kSide; v < places.rows(); ++v)
         if (!inner[static_cast<std::size_t>(v)]) places(v, 1) += 10;
-    carry_inner(mesh, build_rings(places.rows(), mesh.triangles), mesh.vertices, inner, places, Context());
+    carry_inner(mesh, build_rings(places.rows(), mesh.triangles), mesh.vertices, inner, places,
+                Context());
     for (Index v = 0; v < places.rows(); ++v)
         if (mesh.vertices(v, 2) < -3) {
             EXPECT_NEAR(places(v, 1) - mesh.vertices(v, 1), v >= kSide * kSide ? 10 : 0, 0.05) << v;
@@ -101,7 +109,8 @@ TEST(InnerVertices, WithoutOpenSkinNothingMoves) {
     Points places = mesh.vertices.array() + 1.0;
     const Points before = places;
     carry_inner(mesh, build_rings(places.rows(), mesh.triangles), mesh.vertices,
-                std::vector<std::uint8_t>(static_cast<std::size_t>(places.rows()), 1), places, Context());
+                std::vector<std::uint8_t>(static_cast<std::size_t>(places.rows()), 1), places,
+                Context());
     EXPECT_EQ(places, before);
 }
 

@@ -36,15 +36,18 @@ TEST(Registration, RecoversAKnownDeformation) {
 TEST(Registration, CorrespondenceNamesPlacesOfTheScanAsGiven) {
     const SmallFace face = small_face();
     TriMesh scan = scan_of(face, Similarity());
-    scan.triangles.conservativeResize(scan.triangles.rows() + 1, 3);  // a triangle that cleaning drops
+    scan.triangles.conservativeResize(scan.triangles.rows() + 1,
+                                      3);  // a triangle that cleaning drops
     scan.triangles.bottomRows(1) << 5, 5, 6;
     scan.triangles.row(0).swap(scan.triangles.row(scan.triangles.rows() - 1));
-    const RegistrationResult fit = register_scan(face.model, scan, landmarks_of(face, Similarity()), {}, {});
+    const RegistrationResult fit =
+        register_scan(face.model, scan, landmarks_of(face, Similarity()), {}, {});
     for (std::size_t i = 0; i < fit.correspondence.size(); i += 17) {
         const SurfaceHit& hit = fit.correspondence[i];
         Vector3 place = Vector3::Zero();
         for (int k = 0; k < 3; ++k)
-            place += hit.barycentric[k] * scan.vertices.row(scan.triangles(hit.triangle, k)).transpose();
+            place +=
+                hit.barycentric[k] * scan.vertices.row(scan.triangles(hit.triangle, k)).transpose();
         EXPECT_LT((place - hit.point).norm(), 1e-6);
     }
 }
@@ -52,8 +55,8 @@ TEST(Registration, CorrespondenceNamesPlacesOfTheScanAsGiven) {
 TEST(Registration, RigidMotionAndOrderOfTheScanChangeNothing) {
     const SmallFace face = small_face();
     const Similarity moved = motion_of(40, Vector3(-1, 1, 2), Vector3(-300, 50, 10));
-    const RegistrationResult here =
-        register_scan(face.model, scan_of(face, Similarity(), 1), landmarks_of(face, Similarity()), {}, {});
+    const RegistrationResult here = register_scan(face.model, scan_of(face, Similarity(), 1),
+                                                  landmarks_of(face, Similarity()), {}, {});
     const RegistrationResult there =
         register_scan(face.model, scan_of(face, moved, 2), landmarks_of(face, moved), {}, {});
     const Points back = moved.inverse().apply(PointsRef(there.fitted.vertices));
@@ -77,7 +80,8 @@ TEST(Registration, ThreadsDoNotChangeABit) {
 TEST(Registration, RecognisesMetresDecimetresAndCentimetres) {
     const SmallFace face = small_face();
     const auto landmarks = landmarks_of(face, Similarity());
-    const RegistrationResult mm = register_scan(face.model, scan_of(face, Similarity()), landmarks, {}, {});
+    const RegistrationResult mm =
+        register_scan(face.model, scan_of(face, Similarity()), landmarks, {}, {});
     EXPECT_EQ(mm.verdict.unit_to_mm, 1);
     for (const double unit : {1000.0, 100.0, 10.0}) {
         TriMesh scan = scan_of(face, Similarity());
@@ -97,7 +101,8 @@ TEST(Registration, OneWrongLandmarkLosesItsSay) {
     const SmallFace face = small_face();
     auto landmarks = landmarks_of(face, Similarity());
     landmarks[4].point += Vector3(60, -45, 20);
-    const RegistrationResult fit = register_scan(face.model, scan_of(face, Similarity()), landmarks, {}, {});
+    const RegistrationResult fit =
+        register_scan(face.model, scan_of(face, Similarity()), landmarks, {}, {});
     ASSERT_EQ(fit.verdict.landmarks_rejected.size(), 1u);
     EXPECT_EQ(fit.verdict.landmarks_rejected[0], landmarks[4].name);
     EXPECT_LT(mean_error(fit, face, Similarity()), 1.1);
@@ -130,7 +135,8 @@ TEST(Registration, FindsThePoseByItself) {
 
 TEST(Registration, DoubtsAFitThatNothingHoldsAlongTheSkin) {
     const SmallFace face = small_face();
-    const RegistrationResult alone = register_scan(face.model, scan_of(face, Similarity()), {}, {}, {});
+    const RegistrationResult alone =
+        register_scan(face.model, scan_of(face, Similarity()), {}, {}, {});
     EXPECT_EQ(alone.verdict.quality, FitQuality::doubtful) << registration_json(alone);
     ASSERT_FALSE(alone.verdict.reasons.empty());
     EXPECT_NE(alone.verdict.reasons.back().find("slid"), std::string::npos);
@@ -143,7 +149,8 @@ TEST(Registration, ReportsMonotoneProgressWithoutLandmarks) {
         bool monotone = true;
         static std::int32_t note(void* user, std::int32_t stage, double fraction) {
             Seen& seen = *static_cast<Seen*>(user);
-            if (stage < seen.stage || (stage == seen.stage && fraction < seen.fraction)) seen.monotone = false;
+            if (stage < seen.stage || (stage == seen.stage && fraction < seen.fraction))
+                seen.monotone = false;
             seen.stage = stage;
             seen.fraction = fraction;
             return 0;
@@ -160,11 +167,13 @@ TEST(Registration, ReportsMonotoneProgressWithoutLandmarks) {
 
 TEST(Registration, StartsFromAGivenPose) {
     const SmallFace face = small_face();
-    const Similarity motion = motion_of(100, Vector3(0, 1, 0), Vector3(80, 0, -15));  // beyond the search
+    const Similarity motion =
+        motion_of(100, Vector3(0, 1, 0), Vector3(80, 0, -15));  // beyond the search
     RegistrationOptions options;
     options.start = StartKind::pose;
     options.pose = motion_of(95, Vector3(0, 1, 0), Vector3(84, 2, -12));
-    const RegistrationResult fit = register_scan(face.model, scan_of(face, motion), {}, options, {});
+    const RegistrationResult fit =
+        register_scan(face.model, scan_of(face, motion), {}, options, {});
     EXPECT_LT(fit.residual_mm.cwiseAbs().mean(), 0.3);
 }
 
@@ -173,10 +182,12 @@ TEST(Registration, TrianglesFacingInwardsAndCloudsAreFitted) {
     const auto landmarks = landmarks_of(face, Similarity());
     TriMesh inward = scan_of(face, Similarity());
     inward.triangles.col(0).swap(inward.triangles.col(1));
-    EXPECT_LT(mean_error(register_scan(face.model, inward, landmarks, {}, {}), face, Similarity()), 1.1);
+    EXPECT_LT(mean_error(register_scan(face.model, inward, landmarks, {}, {}), face, Similarity()),
+              1.1);
     TriMesh cloud = scan_of(face, Similarity());
     cloud.triangles.resize(0, 3);
-    EXPECT_LT(mean_error(register_scan(face.model, cloud, landmarks, {}, {}), face, Similarity()), 1.5);
+    EXPECT_LT(mean_error(register_scan(face.model, cloud, landmarks, {}, {}), face, Similarity()),
+              1.5);
 }
 
 TEST(Registration, ASphereIsNoFace) {
@@ -184,7 +195,8 @@ TEST(Registration, ASphereIsNoFace) {
     TriMesh sphere = face_sheet(40);
     for (Index i = 0; i < sphere.vertices.rows(); ++i) {
         const double a = sphere.vertices(i, 0) / 70 * 3.1, b = sphere.vertices(i, 1) / 90 * 1.5;
-        sphere.vertices.row(i) << 95 * std::sin(a) * std::cos(b), 95 * std::sin(b), 95 * std::cos(a) * std::cos(b);
+        sphere.vertices.row(i) << 95 * std::sin(a) * std::cos(b), 95 * std::sin(b),
+            95 * std::cos(a) * std::cos(b);
     }
     const RegistrationResult fit = register_scan(face.model, sphere, {}, {}, {});
     EXPECT_NE(fit.verdict.quality, FitQuality::good) << registration_json(fit);
@@ -203,7 +215,9 @@ TEST(Registration, ColorsHoldTheFitAlongTheSkin) {
     scan.triangles = face.model.template_mesh.triangles;
     scan.colors.resize(v.rows(), 3);
     for (Index i = 0; i < v.rows(); ++i) {
-        const auto inside = [&](double up) { return v(i, 0) * v(i, 0) / 900 + (v(i, 1) - up) * (v(i, 1) - up) / 144 < 1; };
+        const auto inside = [&](double up) {
+            return v(i, 0) * v(i, 0) / 900 + (v(i, 1) - up) * (v(i, 1) - up) / 144 < 1;
+        };
         if (inside(-40)) lips.vertices.push_back(static_cast<std::uint32_t>(i));
         const std::uint8_t green = inside(-36) ? 90 : 160;
         scan.colors.row(i) << 200, green, 130;
@@ -238,7 +252,9 @@ TEST(Registration, RefusesSettingsOutOfRange) {
     refused([](RegistrationOptions& o) { o.iterations = 0; });
     refused([](RegistrationOptions& o) { o.tangential = 2; });
     refused([](RegistrationOptions& o) { o.scan_weights = Vector::Ones(3); });
-    refused([&](RegistrationOptions& o) { o.scan_weights = Vector::Constant(scan.vertices.rows(), -1.0); });
+    refused([&](RegistrationOptions& o) {
+        o.scan_weights = Vector::Constant(scan.vertices.rows(), -1.0);
+    });
     refused([](RegistrationOptions& o) {
         o.start = StartKind::pose;
         o.pose.rotation *= 2;
@@ -255,7 +271,8 @@ TEST(Registration, CancelsAtAProgressPoint) {
         return stage == static_cast<std::int32_t>(Stage::fitting) ? 1 : 0;
     };
     try {
-        register_scan(face.model, scan_of(face, Similarity()), landmarks_of(face, Similarity()), {}, context);
+        register_scan(face.model, scan_of(face, Similarity()), landmarks_of(face, Similarity()), {},
+                      context);
         FAIL();
     } catch (const Error& error) {
         EXPECT_EQ(error.status(), Status::cancelled);
@@ -266,10 +283,13 @@ TEST(Registration, EveryGrowthOfModesEndsWithAll) {
     const SmallFace face = small_face();
     const TriMesh scan = scan_of(face, Similarity());
     const auto landmarks = landmarks_of(face, Similarity());
-    for (const ModeGrowth growth : {ModeGrowth::constant, ModeGrowth::linear, ModeGrowth::exponential, ModeGrowth::cubic}) {
+    for (const ModeGrowth growth :
+         {ModeGrowth::constant, ModeGrowth::linear, ModeGrowth::exponential, ModeGrowth::cubic}) {
         RegistrationOptions options;
         options.growth = growth;
-        EXPECT_LT(mean_error(register_scan(face.model, scan, landmarks, options, {}), face, Similarity()), 1.5);
+        EXPECT_LT(
+            mean_error(register_scan(face.model, scan, landmarks, options, {}), face, Similarity()),
+            1.5);
     }
 }
 
@@ -278,7 +298,8 @@ TEST(Registration, LessIsKnownWhereNothingWasScanned) {
     TriMesh scan = scan_of(face, Similarity());
     Index kept = 0;
     for (Index t = 0; t < scan.triangles.rows(); ++t)
-        if (scan.vertices(scan.triangles(t, 0), 0) < 20) scan.triangles.row(kept++) = scan.triangles.row(t);
+        if (scan.vertices(scan.triangles(t, 0), 0) < 20)
+            scan.triangles.row(kept++) = scan.triangles.row(t);
     scan.triangles.conservativeResize(kept, 3);
     std::vector<LandmarkPoint> landmarks;
     for (const LandmarkPoint& point : landmarks_of(face, Similarity()))
@@ -287,8 +308,10 @@ TEST(Registration, LessIsKnownWhereNothingWasScanned) {
     double seen = 0, unseen = 0;
     Index num_seen = 0, num_unseen = 0;
     for (Index i = 0; i < face.truth.rows(); ++i)
-        if (face.truth(i, 0) < 10) seen += fit.confidence_mm[i], ++num_seen;
-        else if (face.truth(i, 0) > 40) unseen += fit.confidence_mm[i], ++num_unseen;
+        if (face.truth(i, 0) < 10)
+            seen += fit.confidence_mm[i], ++num_seen;
+        else if (face.truth(i, 0) > 40)
+            unseen += fit.confidence_mm[i], ++num_unseen;
     EXPECT_GT(unseen / static_cast<double>(num_unseen), 2 * seen / static_cast<double>(num_seen));
 }
 

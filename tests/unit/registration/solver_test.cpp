@@ -34,7 +34,8 @@ TEST(FitSolver, AgreesWithTheStackedSystem) {
         if (i % 9 == 0) h += 2 * Matrix3::Identity();
         precision.block<3, 3>(3 * i, 3 * i) = h;
         target.segment<3>(3 * i) = goal;
-        for (int axis = 0; axis < 3; ++axis) stacked.row(3 * i + axis).segment(axis * r, r) = phi.row(i);
+        for (int axis = 0; axis < 3; ++axis)
+            stacked.row(3 * i + axis).segment(axis * r, r) = phi.row(i);
     }
     FitStepOptions options;
     options.scalar_modes = r;
@@ -46,10 +47,13 @@ TEST(FitSolver, AgreesWithTheStackedSystem) {
     found.kernel.setZero(r, 3);
     FitSolver solver(face.model);
     solver.step(terms, face.model.template_mesh.vertices, options, found, {});
-    const Matrix normal_matrix = stacked.transpose() * precision * stacked + 0.7 * Matrix::Identity(3 * r, 3 * r);
+    const Matrix normal_matrix =
+        stacked.transpose() * precision * stacked + 0.7 * Matrix::Identity(3 * r, 3 * r);
     const Vector expected = normal_matrix.ldlt().solve(stacked.transpose() * precision * target);
     for (int axis = 0; axis < 3; ++axis)
-        EXPECT_LT((phi * (found.kernel.col(axis).cast<double>() - expected.segment(axis * r, r))).cwiseAbs().maxCoeff(),
+        EXPECT_LT((phi * (found.kernel.col(axis).cast<double>() - expected.segment(axis * r, r)))
+                      .cwiseAbs()
+                      .maxCoeff(),
                   5e-3);
 }
 
@@ -70,9 +74,9 @@ TEST(FitSolver, FindsASmallMotion) {
     EXPECT_NEAR(found.scale, 1, 5e-3);
 }
 
-// A motion and smooth modes that undo it, and landmarks that outweigh the surface: only the prior tells the first
-// two apart, far more weakly than the data. Preconditioned one by one they made the iterations wander, and with
-// them what rounding differs between a scan and the same scan turned.
+// A motion and smooth modes that undo it, and landmarks that outweigh the surface: only the prior
+// tells the first two apart, far more weakly than the data. Preconditioned one by one they made the
+// iterations wander, and with them what rounding differs between a scan and the same scan turned.
 TEST(FitSolver, DoesNotWanderBetweenAMotionAndTheModesThatUndoIt) {
     SmallFace face = small_face(80, 12);
     const Points& rest = face.model.template_mesh.vertices;
@@ -89,7 +93,8 @@ TEST(FitSolver, DoesNotWanderBetweenAMotionAndTheModesThatUndoIt) {
     FitTerms terms;
     terms.reset(n);
     for (Index i = 0; i < n; ++i) {
-        terms.add_planar(i, 1, 0.1, normals.row(i).transpose(), (goal.row(i) - rest.row(i)).transpose());
+        terms.add_planar(i, 1, 0.1, normals.row(i).transpose(),
+                         (goal.row(i) - rest.row(i)).transpose());
         if (i % 97 == 1) terms.add_isotropic(i, 200, (goal.row(i) - rest.row(i)).transpose());
     }
     FitStepOptions options;
@@ -109,7 +114,8 @@ TEST(FitSolver, PriorVarianceForbidsWhatItExcludes) {
     face.model.prior_variance.col(0).setZero();  // nothing moves along x
     FitTerms terms;
     terms.reset(face.model.num_vertices());
-    for (Index i = 0; i < face.model.num_vertices(); ++i) terms.add_isotropic(i, 1, Vector3(5, 5, 5));
+    for (Index i = 0; i < face.model.num_vertices(); ++i)
+        terms.add_isotropic(i, 1, Vector3(5, 5, 5));
     FitStepOptions options;
     options.scalar_modes = r;
     options.move = false;
@@ -122,7 +128,8 @@ TEST(FitSolver, PriorVarianceForbidsWhatItExcludes) {
 }
 
 TEST(Growth, RunsFromFewToAll) {
-    for (const ModeGrowth growth : {ModeGrowth::linear, ModeGrowth::exponential, ModeGrowth::cubic}) {
+    for (const ModeGrowth growth :
+         {ModeGrowth::linear, ModeGrowth::exponential, ModeGrowth::cubic}) {
         EXPECT_EQ(modes_at(growth, 0, 10, 333), 10);
         EXPECT_EQ(modes_at(growth, 1, 10, 333), 333);
         Index last = 0;
@@ -160,7 +167,8 @@ TEST(Correspondence, FiltersFadeInsteadOfCutting) {
     const ScanSurface scan = prepare_scan(sheet, 2, {});
     CorrespondenceOptions options;
     options.robust = RobustWeight::none;
-    // The weight beside the sheet's vertex `of` when one walks along `step`, or turns the normal by an angle.
+    // The weight beside the sheet's vertex `of` when one walks along `step`, or turns the normal by
+    // an angle.
     const auto largest_jump = [&](Index of, const Vector3& step, double turn_rad) {
         constexpr int kSteps = 1000;
         Points places(kSteps, 3), normals(kSteps, 3);
@@ -174,7 +182,9 @@ TEST(Correspondence, FiltersFadeInsteadOfCutting) {
         find_correspondences(scan, places, normals, Vector(), options, found, {});
         EXPECT_GT(found.weight.maxCoeff(), 0.9);
         EXPECT_EQ(found.weight.minCoeff(), 0);
-        return (found.weight.tail(kSteps - 1) - found.weight.head(kSteps - 1)).cwiseAbs().maxCoeff();
+        return (found.weight.tail(kSteps - 1) - found.weight.head(kSteps - 1))
+            .cwiseAbs()
+            .maxCoeff();
     };
     EXPECT_LT(largest_jump(10 * 21 + 10, Vector3::Zero(), 1.5), 0.06) << "at the angle";
     EXPECT_LT(largest_jump(19 * 21 + 10, Vector3(20, 0, 0), 0), 0.06) << "at the border";
@@ -189,10 +199,12 @@ TEST(Folds, AreFoundAndStraightened) {
     EXPECT_FALSE(find_turned(sheet.vertices, sheet.triangles, rings, folded, 1.0).empty());
     Index turned = 0;
     const Points before = folded;
-    EXPECT_EQ(straighten_turned(sheet.vertices, sheet.triangles, rings, 1.0, 12, folded, turned), 0);
+    EXPECT_EQ(straighten_turned(sheet.vertices, sheet.triangles, rings, 1.0, 12, folded, turned),
+              0);
     EXPECT_GT(turned, 0);
     EXPECT_LT((folded - sheet.vertices).rowwise().norm().maxCoeff(), 1);
-    EXPECT_LT(((folded - before).rowwise().norm().array() > 0).count(), 60) << "only the fold's surroundings move";
+    EXPECT_LT(((folded - before).rowwise().norm().array() > 0).count(), 60)
+        << "only the fold's surroundings move";
 }
 
 TEST(Folds, NeedlesOfTheTemplateAreNone) {
@@ -211,7 +223,8 @@ TEST(Folds, TurnWithTheirNeighbourhoodAreNone) {
     EXPECT_TRUE(find_turned(sheet.vertices, sheet.triangles, rings, turned, 0.5).empty());
 }
 
-// A vertex is pushed up until its triangles turn by more than 60 degrees. Cut at the limit, it fell back at once.
+// A vertex is pushed up until its triangles turn by more than 60 degrees. Cut at the limit, it fell
+// back at once.
 TEST(Folds, TurnsAreUndoneByShares) {
     TriMesh sheet = face_sheet(12);
     sheet.vertices.col(2).setZero();
@@ -238,30 +251,36 @@ TEST(Gap, IsClosedSmoothly) {
     const TriMesh sheet = face_sheet(40);
     TriMesh target = sheet;
     for (Index i = 0; i < target.vertices.rows(); ++i)
-        target.vertices(i, 2) += 0.8 * gauss(target.vertices(i, 0), 25) * gauss(target.vertices(i, 1), 25);
+        target.vertices(i, 2) +=
+            0.8 * gauss(target.vertices(i, 0), 25) * gauss(target.vertices(i, 1), 25);
     const ScanSurface scan = prepare_scan(target, 0, {});
     Points places = sheet.vertices;
-    close_gap(scan, Vector(), sheet.triangles, build_rings(places.rows(), sheet.triangles), Vector::Ones(places.rows()),
-              {}, {}, places, {});
+    close_gap(scan, Vector(), sheet.triangles, build_rings(places.rows(), sheet.triangles),
+              Vector::Ones(places.rows()), {}, {}, places, {});
     std::vector<SurfaceHit> before, after;
     scan.tree.closest(sheet.vertices, 10, before, {});
     scan.tree.closest(places, 10, after, {});
     double gap_before = 0, gap_after = 0;
-    for (std::size_t i = 0; i < before.size(); ++i) gap_before += before[i].distance(), gap_after += after[i].distance();
+    for (std::size_t i = 0; i < before.size(); ++i)
+        gap_before += before[i].distance(), gap_after += after[i].distance();
     EXPECT_LT(gap_after, 0.25 * gap_before);
 }
 
-// An injection that the modes do not know stands three robust scales above the fit: it was cut off by half.
+// An injection that the modes do not know stands three robust scales above the fit: it was cut off
+// by half.
 TEST(Gap, OfAHillBeyondTheRobustScaleIsClosedFromItsFoot) {
     const TriMesh sheet = face_sheet(40);
     TriMesh target = sheet;
-    const auto height = [&](Index i) { return 3 * gauss(sheet.vertices(i, 0), 25) * gauss(sheet.vertices(i, 1), 25); };
+    const auto height = [&](Index i) {
+        return 3 * gauss(sheet.vertices(i, 0), 25) * gauss(sheet.vertices(i, 1), 25);
+    };
     for (Index i = 0; i < target.vertices.rows(); ++i) target.vertices(i, 2) += height(i);
     const ScanSurface scan = prepare_scan(target, 0, {});
     const auto fitted = [&](const Vector& scan_weight, Points& places) {
         places = sheet.vertices;
-        return close_gap(scan, scan_weight, sheet.triangles, build_rings(places.rows(), sheet.triangles),
-                         Vector::Ones(places.rows()), {}, {}, places, {});
+        return close_gap(scan, scan_weight, sheet.triangles,
+                         build_rings(places.rows(), sheet.triangles), Vector::Ones(places.rows()),
+                         {}, {}, places, {});
     };
     Points places;
     const Vector weight = fitted(Vector(), places);
@@ -284,7 +303,8 @@ TEST(Gap, OfAHillBeyondTheRobustScaleIsClosedFromItsFoot) {
         }
 }
 
-// It was once measured on the first edge of each triangle alone, and with it the reach of the smoothing.
+// It was once measured on the first edge of each triangle alone, and with it the reach of the
+// smoothing.
 TEST(ScanSurface, ItsResolutionDoesNotDependOnATrianglesFirstCorner) {
     TriMesh mesh = face_sheet(80);
     const ScanSurface scan = prepare_scan(mesh, 4, {});
@@ -301,10 +321,12 @@ TEST(ScanSurface, ItsResolutionDoesNotDependOnATrianglesFirstCorner) {
 
 TEST(Skin, TonesOfSkinOutweighHairAndCloth) {
     Colors colors(7, 3);
-    colors << 226, 184, 160, 205, 158, 130, 168, 118, 90, 120, 80, 60, 52, 36, 26, 58, 84, 150, 60, 160, 60;
+    colors << 226, 184, 160, 205, 158, 130, 168, 118, 90, 120, 80, 60, 52, 36, 26, 58, 84, 150, 60,
+        160, 60;
     const Vector weights = skin_weights(colors, 0.05);
     for (int skin = 0; skin < 4; ++skin)
-        for (int other = 4; other < 7; ++other) EXPECT_GT(weights[skin], 2 * weights[other]) << skin << " " << other;
+        for (int other = 4; other < 7; ++other)
+            EXPECT_GT(weights[skin], 2 * weights[other]) << skin << " " << other;
     EXPECT_GE(weights.minCoeff(), 0.05);
     EXPECT_LE(weights.maxCoeff(), 1);
 }

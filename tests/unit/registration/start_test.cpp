@@ -17,7 +17,8 @@ std::vector<Pin> noisy_pins(const SmallFace& face, double noise_mm, double state
     std::vector<Pin> pins;
     for (const Landmark& l : face.model.landmarks) {
         const Vector3 noise(normal(random), normal(random), normal(random));
-        pins.push_back({static_cast<Index>(l.vertex), face.truth.row(l.vertex).transpose() + noise, stated_mm});
+        pins.push_back({static_cast<Index>(l.vertex), face.truth.row(l.vertex).transpose() + noise,
+                        stated_mm});
     }
     return pins;
 }
@@ -31,8 +32,10 @@ TEST(Pins, ExactPicksAreFoundExact) {
 // The face lies half a deviation off along each mode.
 TEST(Pins, TheKernelsAmplitudeFollowsTheFace) {
     const SmallFace face = small_face();
-    EXPECT_GT(weigh_pins(face.model, noisy_pins(face, 0.05, 1.5), Similarity(), 0.25, 1).amplitude, 1.4);
-    EXPECT_LT(weigh_pins(face.model, noisy_pins(face, 0.05, 1.5), Similarity(), 4, 1).amplitude, 0.5);
+    EXPECT_GT(weigh_pins(face.model, noisy_pins(face, 0.05, 1.5), Similarity(), 0.25, 1).amplitude,
+              1.4);
+    EXPECT_LT(weigh_pins(face.model, noisy_pins(face, 0.05, 1.5), Similarity(), 4, 1).amplitude,
+              0.5);
 }
 
 TEST(Pins, TrainedModesKeepTheirAmplitude) {
@@ -44,11 +47,13 @@ TEST(Pins, TrainedModesKeepTheirAmplitude) {
         for (Index axis = 0; axis < 3; ++axis)
             trained->row(3 * i + axis).segment(axis * r, r) = 0.5f * face.model.basis.map().row(i);
     face.model.pca_modes = {trained->data(), 3 * n, 3 * r};
-    const PinEvidence evidence = weigh_pins(face.model, noisy_pins(face, 0.05, 1.5), Similarity(), 1e-3, 1);
+    const PinEvidence evidence =
+        weigh_pins(face.model, noisy_pins(face, 0.05, 1.5), Similarity(), 1e-3, 1);
     EXPECT_EQ(evidence.amplitude, 1);
     EXPECT_LT(evidence.noise, 0.7);
     // Left out of the fit they leave the amplitude to the landmarks.
-    EXPECT_GT(weigh_pins(face.model, noisy_pins(face, 0.05, 1.5), Similarity(), 0.25, 0).amplitude, 1.4);
+    EXPECT_GT(weigh_pins(face.model, noisy_pins(face, 0.05, 1.5), Similarity(), 0.25, 0).amplitude,
+              1.4);
 }
 
 // Ears and jaw of a face 140 mm wide, chin forward and below, lips at the middle.
@@ -83,7 +88,9 @@ TEST(Jaw, OpensDownwardsAndLeavesTheUpperFace) {
     }
     for (const Pin& pin : open_jaw(face.model, state, 0))
         EXPECT_LT((state.motion.inverse().apply(pin.place) -
-                   Vector3(face.model.template_mesh.vertices.row(pin.vertex).transpose())).norm(), 1e-9);
+                   Vector3(face.model.template_mesh.vertices.row(pin.vertex).transpose()))
+                      .norm(),
+                  1e-9);
 }
 
 TEST(Jaw, WithoutItsLandmarksThereIsNone) {

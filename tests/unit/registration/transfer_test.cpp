@@ -15,7 +15,8 @@ TEST(Transfer, ZonesGoThereAndBack) {
     const SurfaceTransfer transfer(fitted, scan, {});
     std::vector<std::uint32_t> nose;
     for (Index i = 0; i < fitted.vertices.rows(); ++i)
-        if (fitted.vertices.row(i).head<2>().norm() < 30) nose.push_back(static_cast<std::uint32_t>(i));
+        if (fitted.vertices.row(i).head<2>().norm() < 30)
+            nose.push_back(static_cast<std::uint32_t>(i));
     const auto on_scan = transfer.zone(nose, TransferDirection::to_scan, 5, {});
     ASSERT_FALSE(on_scan.empty());
     for (const std::uint32_t v : on_scan) EXPECT_LT(scan.vertices.row(v).head<2>().norm(), 36);
@@ -41,8 +42,10 @@ TEST(Transfer, ContoursLandOnTheScan) {
 TEST(Transfer, LandmarksAndWrongVerticesAreTold) {
     const TriMesh fitted = face_sheet(10);
     const SurfaceTransfer transfer(fitted, fitted, {});
-    EXPECT_EQ(transferred_landmarks_json(transfer, {}, 5, {}), "{\"points\":{},\"distances_mm\":{}}");
-    EXPECT_NE(transferred_landmarks_json(transfer, {{"a", 3}}, 5, {}).find("\"a\":["), std::string::npos);
+    EXPECT_EQ(transferred_landmarks_json(transfer, {}, 5, {}),
+              "{\"points\":{},\"distances_mm\":{}}");
+    EXPECT_NE(transferred_landmarks_json(transfer, {{"a", 3}}, 5, {}).find("\"a\":["),
+              std::string::npos);
     EXPECT_THROW(transferred_landmarks_json(transfer, {{"a", 9999}}, 5, {}), Error);
     EXPECT_THROW(transfer.zone({9999}, TransferDirection::to_scan, 5, {}), Error);
 }

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
 #include <cmath>
+#include <Eigen/Geometry>
 #include <random>
 
 #include "base/dense.hpp"
@@ -26,7 +26,8 @@ Surface sheet(Index size, double shift = 0) {
     s.triangles.resize(2 * size * size, 3);
     for (Index i = 0; i <= size; ++i)
         for (Index j = 0; j <= size; ++j)
-            s.vertices.row(i * (size + 1) + j) << i + shift, j, 4 * std::sin(0.3 * i) * std::cos(0.2 * j);
+            s.vertices.row(i * (size + 1) + j) << i + shift, j,
+                4 * std::sin(0.3 * i) * std::cos(0.2 * j);
     for (Index i = 0; i < size; ++i)
         for (Index j = 0; j < size; ++j) {
             const auto a = static_cast<std::uint32_t>(i * (size + 1) + j);
@@ -40,10 +41,10 @@ Surface sheet(Index size, double shift = 0) {
 SurfaceHit brute_force(const Surface& s, const Vector3& p) {
     SurfaceHit best;
     for (Index t = 0; t < s.triangles.rows(); ++t) {
-        const TrianglePlace place = closest_on_triangle(
-            p, s.vertices.row(s.triangles(t, 0)).transpose(),
-            s.vertices.row(s.triangles(t, 1)).transpose(),
-            s.vertices.row(s.triangles(t, 2)).transpose());
+        const TrianglePlace place =
+            closest_on_triangle(p, s.vertices.row(s.triangles(t, 0)).transpose(),
+                                s.vertices.row(s.triangles(t, 1)).transpose(),
+                                s.vertices.row(s.triangles(t, 2)).transpose());
         if (place.squared_distance < best.squared_distance) {
             best.squared_distance = place.squared_distance;
             best.triangle = static_cast<std::uint32_t>(t);
@@ -56,8 +57,7 @@ Points scattered(Index count, double spread, unsigned seed) {
     std::mt19937 generator(seed);
     Points p(count, 3);
     for (Index i = 0; i < count; ++i)
-        for (int k = 0; k < 3; ++k)
-            p(i, k) = spread * (generator() / 4294967296.0 - 0.25);
+        for (int k = 0; k < 3; ++k) p(i, k) = spread * (generator() / 4294967296.0 - 0.25);
     return p;
 }
 
@@ -167,7 +167,8 @@ TEST(TriangleTree, RaysHitTheNearestTriangleAndCountAllCrossings) {
     for (Index i = 0; i < vertices; ++i)
         s.vertices.row(vertices + i) = s.vertices.row(i) + Eigen::RowVector3d(0, 0, 20);
     for (Index t = 0; t < count; ++t)
-        s.triangles.row(count + t) = s.triangles.row(t).array() + static_cast<std::uint32_t>(vertices);
+        s.triangles.row(count + t) =
+            s.triangles.row(t).array() + static_cast<std::uint32_t>(vertices);
     const TriangleTree tree(s.vertices, s.triangles, {});
     const Points places = scattered(200, 10, 4);
     for (Index i = 0; i < places.rows(); ++i) {
@@ -196,7 +197,8 @@ Surface jumble(Index count, unsigned seed) {
         s.triangles.row(t) << a, a + 1, a + 2;
         const double thin = t % 5 == 0 ? 0 : std::pow(10.0, -static_cast<double>(t % 9));
         const Eigen::RowVector3d along = corners.row(3 * t + 1) - corners.row(3 * t);
-        s.vertices.row(3 * t + 1) = s.vertices.row(3 * t) + (0.1 + 0.2 * std::abs(shapes(t, 0))) * along;
+        s.vertices.row(3 * t + 1) =
+            s.vertices.row(3 * t) + (0.1 + 0.2 * std::abs(shapes(t, 0))) * along;
         s.vertices.row(3 * t + 2) = s.vertices.row(3 * t) + 0.07 * along + thin * shapes.row(t);
     }
     return s;
@@ -211,7 +213,8 @@ TEST(TriangleTree, AnyShapeOfTriangleIsFound) {
             const Vector3 p = queries.row(i).transpose();
             const SurfaceHit truth = brute_force(s, p), hit = tree.closest(p);
             ASSERT_EQ(hit.triangle, truth.triangle) << count << " triangles, query " << i;
-            EXPECT_NEAR(hit.squared_distance, truth.squared_distance, 1e-7 * (1 + truth.squared_distance));
+            EXPECT_NEAR(hit.squared_distance, truth.squared_distance,
+                        1e-7 * (1 + truth.squared_distance));
         }
     }
 }
@@ -223,25 +226,31 @@ TEST(TriangleTree, RaysMeetEachTriangleOnce) {
         const TriangleTree tree(s.vertices, s.triangles, {});
         const Points from = scattered(150, 60, 22), to = scattered(150, 30, 23);
         for (Index i = 0; i < from.rows(); ++i) {
-            const Vector3 origin = from.row(i).transpose(), direction = 0.01 * (to.row(i) - from.row(i)).transpose();
+            const Vector3 origin = from.row(i).transpose(),
+                          direction = 0.01 * (to.row(i) - from.row(i)).transpose();
             Index crossed = 0;
             double nearest = std::numeric_limits<double>::infinity();
             for (Index t = 0; t < count; ++t) {
                 const Vector3 a = s.vertices.row(s.triangles(t, 0)).transpose();
                 const Vector3 ab = s.vertices.row(s.triangles(t, 1)).transpose() - a;
-                const Vector3 ac = s.vertices.row(s.triangles(t, 2)).transpose() - a, from_a = origin - a;
+                const Vector3 ac = s.vertices.row(s.triangles(t, 2)).transpose() - a,
+                              from_a = origin - a;
                 const double determinant = ab.dot(direction.cross(ac));
                 if (determinant == 0) continue;
-                const double v = from_a.dot(direction.cross(ac)) / determinant, w = direction.dot(from_a.cross(ab)) / determinant;
+                const double v = from_a.dot(direction.cross(ac)) / determinant,
+                             w = direction.dot(from_a.cross(ab)) / determinant;
                 const double t_hit = ac.dot(from_a.cross(ab)) / determinant;
                 if (!(v >= 0 && w >= 0 && v + w <= 1 && t_hit >= 0)) continue;
                 ++crossed;
                 nearest = std::min(nearest, t_hit);
             }
-            EXPECT_EQ(tree.count_crossings(origin, direction), crossed) << count << " triangles, ray " << i;
+            EXPECT_EQ(tree.count_crossings(origin, direction), crossed)
+                << count << " triangles, ray " << i;
             const RayHit hit = tree.first_hit(origin, direction);
             ASSERT_EQ(hit.valid(), crossed > 0);
-            if (hit.valid()) { EXPECT_NEAR(hit.t, nearest, 1e-6 * (1 + nearest)); }
+            if (hit.valid()) {
+                EXPECT_NEAR(hit.t, nearest, 1e-6 * (1 + nearest));
+            }
         }
     }
 }
@@ -256,7 +265,8 @@ TEST(TriangleTree, InstructionSetsGiveTheSameBits) {
         dense::use_portable_loops(portable == 1);
         tree.closest(queries, 1e9, hits[portable], {});
         for (Index i = 0; i + 1 < queries.rows(); ++i)
-            rays[portable].push_back(tree.first_hit(queries.row(i).transpose(), (queries.row(i + 1) - queries.row(i)).transpose()));
+            rays[portable].push_back(tree.first_hit(
+                queries.row(i).transpose(), (queries.row(i + 1) - queries.row(i)).transpose()));
     }
     dense::use_portable_loops(false);
     for (std::size_t i = 0; i < hits[0].size(); ++i) {
@@ -275,7 +285,8 @@ TEST(TriangleTree, PlacesBeyondSinglePrecisionFindNothing) {
     const TriangleTree huge(1e200 * s.vertices, s.triangles, {});
     const double infinity = std::numeric_limits<double>::infinity();
     for (const double far : {1e30, 1e60, 1e300, infinity, std::nan("")}) {
-        for (const Vector3& p : {Vector3(far, 0, 0), Vector3(1, -far, far), Vector3(far, far, far)}) {
+        for (const Vector3& p :
+             {Vector3(far, 0, 0), Vector3(1, -far, far), Vector3(far, far, far)}) {
             EXPECT_FALSE(tree.closest(p).valid());
             EXPECT_FALSE(huge.closest(p).valid());
             EXPECT_FALSE(tree.first_hit(p, Vector3(-1, -1, -1)).valid());

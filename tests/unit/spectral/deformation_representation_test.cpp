@@ -84,7 +84,9 @@ TEST(DeformationRepresentation, RotationAndScaleAreTheSameEverywhere) {
     const Vector3 expected = rotation_logarithm(r);
     for (Index v = 0; v < f.rows(); ++v) {
         EXPECT_LT((f.row(v).head<3>().transpose() - expected).norm(), 1e-6);
-        EXPECT_LT((f.row(v).tail<6>() - (Vector(6) << .3, .3, .3, 0, 0, 0).finished().transpose()).norm(), 1e-6);
+        EXPECT_LT(
+            (f.row(v).tail<6>() - (Vector(6) << .3, .3, .3, 0, 0, 0).finished().transpose()).norm(),
+            1e-6);
     }
 }
 
@@ -94,7 +96,8 @@ TEST(DeformationRepresentation, TurnsBeyondPiStayContinuous) {
     Points rolled = strip.vertices;
     for (Index v = 0; v < rolled.rows(); ++v) {
         const double angle = 8.0 * strip.vertices(v, 0) / 100, radius = 100 / 8.0;
-        rolled.row(v) << radius * std::sin(angle), strip.vertices(v, 1), radius * (1 - std::cos(angle));
+        rolled.row(v) << radius * std::sin(angle), strip.vertices(v, 1),
+            radius * (1 - std::cos(angle));
     }
     const DeformationRepresentation dr(strip, {});
     const Features f = dr.encode(rolled, {});
@@ -119,41 +122,54 @@ TEST(DeformationRepresentation, BeatsEuclideanInterpolationOfARotatedPart) {
         turned(v, 2) = along * std::sin(angle);
     }
     const DeformationRepresentation dr(mesh, {});
-    const Points half = dr.decode(0.5 * dr.encode(turned, {}), {}), mean = 0.5 * (mesh.vertices + turned);
-    EXPECT_LT(half_way_edge_error(mesh, turned, half), 0.5 * half_way_edge_error(mesh, turned, mean));
+    const Points half = dr.decode(0.5 * dr.encode(turned, {}), {}),
+                 mean = 0.5 * (mesh.vertices + turned);
+    EXPECT_LT(half_way_edge_error(mesh, turned, half),
+              0.5 * half_way_edge_error(mesh, turned, mean));
 }
 
 TEST(DeformationRepresentation, BeatsEuclideanInterpolationOfABentSheetOfThinTriangles) {
-    // Columns 0.05 and 1.95 mm wide by turns, so that cotangents differ a hundredfold; rolled by 2 rad.
+    // Columns 0.05 and 1.95 mm wide by turns, so that cotangents differ a hundredfold; rolled by 2
+    // rad.
     TriMesh sheet = test::grid(40, 10, 40, 10);
     for (Index v = 0; v < sheet.vertices.rows(); ++v)
         if (std::lround(sheet.vertices(v, 0)) % 2 == 1) sheet.vertices(v, 0) -= 0.95;
     Points rolled = sheet.vertices;
     for (Index v = 0; v < rolled.rows(); ++v) {
         const double angle = 2.0 * sheet.vertices(v, 0) / 40, radius = 40 / 2.0;
-        rolled.row(v) << radius * std::sin(angle), sheet.vertices(v, 1), radius * (1 - std::cos(angle));
+        rolled.row(v) << radius * std::sin(angle), sheet.vertices(v, 1),
+            radius * (1 - std::cos(angle));
     }
     const DeformationRepresentation dr(sheet, {});
-    const Points half = dr.decode(0.5 * dr.encode(rolled, {}), {}), mean = 0.5 * (sheet.vertices + rolled);
-    EXPECT_LT(half_way_edge_error(sheet, rolled, half), 0.5 * half_way_edge_error(sheet, rolled, mean));
+    const Points half = dr.decode(0.5 * dr.encode(rolled, {}), {}),
+                 mean = 0.5 * (sheet.vertices + rolled);
+    EXPECT_LT(half_way_edge_error(sheet, rolled, half),
+              0.5 * half_way_edge_error(sheet, rolled, mean));
 }
 
 // Thin triangles at the corners of the mouth once turned their neighbours by radians half-way.
 TEST(DeformationRepresentation, BeatsEuclideanInterpolationOfAnOpeningJaw) {
     const std::string folder = std::string(MIEN_SHARED_DATA) + "/ict/";
-    if (!std::filesystem::exists(folder + "model.safetensors")) GTEST_SKIP() << "needs the shared data";
+    if (!std::filesystem::exists(folder + "model.safetensors"))
+        GTEST_SKIP() << "needs the shared data";
     const TriMesh mesh = read_mesh_file(folder + "template.ply", {});
     const SafetensorsFile file = SafetensorsFile::open(folder + "model.safetensors", {}, {});
-    const auto names = nlohmann::json::parse(file.metadata().at("expression_names")).get<std::vector<std::string>>();
-    const std::size_t jaw = static_cast<std::size_t>(std::find(names.begin(), names.end(), "jawOpen") - names.begin());
+    const auto names = nlohmann::json::parse(file.metadata().at("expression_names"))
+                           .get<std::vector<std::string>>();
+    const std::size_t jaw =
+        static_cast<std::size_t>(std::find(names.begin(), names.end(), "jawOpen") - names.begin());
     ASSERT_LT(jaw, names.size());
     const Index n = mesh.vertices.rows();
     const auto* modes = static_cast<const float*>(
-        file.tensor("expression_modes", DType::f32, {static_cast<std::int64_t>(names.size()), n, 3}).data);
-    const Points open = mesh.vertices + Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>>(
-                                            modes + 3 * n * static_cast<Index>(jaw), n, 3).cast<double>();
+        file.tensor("expression_modes", DType::f32, {static_cast<std::int64_t>(names.size()), n, 3})
+            .data);
+    const Points open =
+        mesh.vertices + Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>>(
+                            modes + 3 * n * static_cast<Index>(jaw), n, 3)
+                            .cast<double>();
     const DeformationRepresentation dr(mesh, {});
-    const Points half = dr.decode(0.5 * dr.encode(open, {}), {}), mean = 0.5 * (mesh.vertices + open);
+    const Points half = dr.decode(0.5 * dr.encode(open, {}), {}),
+                 mean = 0.5 * (mesh.vertices + open);
     EXPECT_LT(half_way_edge_error(mesh, open, half), half_way_edge_error(mesh, open, mean));
 }
 
@@ -162,10 +178,11 @@ TEST(DeformationRepresentation, SurvivesDegenerateRingsAndPieces) {
     const Index n = mesh.vertices.rows();
     mesh.vertices.row(70) = mesh.vertices.row(71);
     mesh.vertices.conservativeResize(n + 4, 3);
-    mesh.vertices.bottomRows(4) << 100, 0, 0, 101, 0, 0, 100, 1, 0, 55, 55, 55;  // a triangle and a loose vertex
+    mesh.vertices.bottomRows(4) << 100, 0, 0, 101, 0, 0, 100, 1, 0, 55, 55,
+        55;  // a triangle and a loose vertex
     mesh.triangles.conservativeResize(mesh.triangles.rows() + 1, 3);
-    mesh.triangles.bottomRows(1) << static_cast<std::uint32_t>(n), static_cast<std::uint32_t>(n + 1),
-        static_cast<std::uint32_t>(n + 2);
+    mesh.triangles.bottomRows(1) << static_cast<std::uint32_t>(n),
+        static_cast<std::uint32_t>(n + 1), static_cast<std::uint32_t>(n + 2);
     const DeformationRepresentation dr(mesh, {});
     const Points face = test::bent(mesh.vertices, 1);
     const Features f = dr.encode(face, {});
@@ -200,7 +217,8 @@ TEST(DeformationRepresentation, RefusesWhatDoesNotFit) {
     const DeformationRepresentation dr(mesh, {});
     EXPECT_EQ(test::status_of([&] { dr.encode(mesh.vertices.topRows(5), {}); }), Status::mismatch);
     EXPECT_EQ(test::status_of([&] { dr.decode(Features::Zero(5, 9), {}); }), Status::mismatch);
-    EXPECT_EQ(test::status_of([&] { dr.decode(Features::Zero(mesh.vertices.rows(), 3), {}); }), Status::mismatch);
+    EXPECT_EQ(test::status_of([&] { dr.decode(Features::Zero(mesh.vertices.rows(), 3), {}); }),
+              Status::mismatch);
     Points broken = mesh.vertices;
     broken(1, 1) = std::nan("");
     EXPECT_EQ(test::status_of([&] { dr.encode(broken, {}); }), Status::invalid_mesh);
@@ -217,7 +235,8 @@ TEST(DeformationTransfer, NoExpressionLeavesTheTarget) {
     const TriMesh source = test::face_like();
     TriMesh target = source;
     target.vertices = 1.2 * test::bent(source.vertices, 2);
-    const Points result = DeformationTransfer(target, {}).transfer(source.vertices, source.vertices, {});
+    const Points result =
+        DeformationTransfer(target, {}).transfer(source.vertices, source.vertices, {});
     EXPECT_LT((result - target.vertices).cwiseAbs().maxCoeff(), 1e-7);
 }
 
@@ -227,7 +246,8 @@ TEST(DeformationTransfer, OfARotationRotatesTheTarget) {
     target.vertices = test::bent(source.vertices, 5);
     const Matrix3 r = turn(0.6);
     const Points expected = target.vertices * r.transpose();
-    Points result = DeformationTransfer(target, {}).transfer(source.vertices, source.vertices * r.transpose(), {});
+    Points result = DeformationTransfer(target, {})
+                        .transfer(source.vertices, source.vertices * r.transpose(), {});
     const Eigen::RowVector3d shift = (expected - result).colwise().mean();
     result.rowwise() += shift;
     EXPECT_LT((result - expected).cwiseAbs().maxCoeff(), 1e-7);

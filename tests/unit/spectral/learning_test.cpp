@@ -17,9 +17,11 @@ namespace {
 /// Person k: two smooth identity amplitudes.
 Points person(const TriMesh& mesh, Index k) {
     Points face = mesh.vertices;
-    const double a = 3 * test::noise(static_cast<std::uint64_t>(7 * k)), b = 3 * test::noise(static_cast<std::uint64_t>(7 * k + 1));
+    const double a = 3 * test::noise(static_cast<std::uint64_t>(7 * k)),
+                 b = 3 * test::noise(static_cast<std::uint64_t>(7 * k + 1));
     for (Index v = 0; v < face.rows(); ++v) {
-        face(v, 2) += a * std::cos(0.12 * mesh.vertices(v, 0)) + b * std::sin(0.1 * mesh.vertices(v, 1));
+        face(v, 2) +=
+            a * std::cos(0.12 * mesh.vertices(v, 0)) + b * std::sin(0.1 * mesh.vertices(v, 1));
         face(v, 0) += 0.3 * b * std::cos(0.15 * mesh.vertices(v, 1));
     }
     return face;
@@ -48,7 +50,8 @@ TEST(FaceFeatures, EveryKindHasItsExactInverse) {
     source.count = 8;
     source.face = [&](Index k, Points& face) { face = person(mesh, k); };
     for (int kind = 1; kind <= 6; ++kind) {
-        const auto features = FaceFeatures::train(mesh.triangles, source, static_cast<FeatureKind>(kind), {});
+        const auto features =
+            FaceFeatures::train(mesh.triangles, source, static_cast<FeatureKind>(kind), {});
         Similarity motion, away;
         away.rotation = Eigen::AngleAxisd(0.4, Vector3(1, 1, 0).normalized()).toRotationMatrix();
         away.translation << 50, 0, -20;
@@ -68,7 +71,8 @@ TEST(FaceFeatures, NormalisedTrainingFacesFillMinusOneToOne) {
     FaceSource source;
     source.count = 6;
     source.face = [&](Index k, Points& face) { face = person(mesh, k); };
-    const auto features = FaceFeatures::train(mesh.triangles, source, FeatureKind::deformation_normalised, {});
+    const auto features =
+        FaceFeatures::train(mesh.triangles, source, FeatureKind::deformation_normalised, {});
     double low = 0, high = 0;
     for (Index k = 0; k < 6; ++k) {
         const Features f = features->encode(person(mesh, k), nullptr, {});
@@ -101,12 +105,14 @@ TEST(FaceFeatures, FileGivesTheSameFeatures) {
     FaceSource source;
     source.count = 4;
     source.face = [&](Index k, Points& face) { face = person(mesh, k); };
-    const auto features = FaceFeatures::train(mesh.triangles, source, FeatureKind::euclidean_standardised, {});
+    const auto features =
+        FaceFeatures::train(mesh.triangles, source, FeatureKind::euclidean_standardised, {});
     const mien::testing::ScratchFolder scratch;
     const std::string path = scratch / "features.safetensors";
     features->save(path, {});
     const auto loaded = FaceFeatures::load(path, {}, {});
-    EXPECT_TRUE(loaded->encode(person(mesh, 9), nullptr, {}) == features->encode(person(mesh, 9), nullptr, {}));
+    EXPECT_TRUE(loaded->encode(person(mesh, 9), nullptr, {}) ==
+                features->encode(person(mesh, 9), nullptr, {}));
 }
 
 TEST(Blendshapes, PredictNewPeopleBetterThanTheMeanExpression) {
@@ -119,7 +125,8 @@ TEST(Blendshapes, PredictNewPeopleBetterThanTheMeanExpression) {
         Points mean = person(mesh, k);
         for (Index i = 0; i < 15; ++i) mean += (expressed(mesh, i) - person(mesh, i)) / 15;
         mean_only += l1_distance(mean, expressed(mesh, k));
-        EXPECT_LT(l1_distance(p.differential, expressed(mesh, k)), l1_distance(person(mesh, k), expressed(mesh, k)));
+        EXPECT_LT(l1_distance(p.differential, expressed(mesh, k)),
+                  l1_distance(person(mesh, k), expressed(mesh, k)));
     }
     EXPECT_LT(predicted, 0.2 * mean_only);
 }
@@ -152,7 +159,8 @@ TEST(Decimation, KeepsVerticesOfTheMeshAndItsShape) {
     EXPECT_LE(coarse.mesh.vertices.rows(), 600);
     EXPECT_GT(coarse.mesh.vertices.rows(), 500);
     for (Index v = 0; v < coarse.mesh.vertices.rows(); ++v)
-        EXPECT_TRUE(coarse.mesh.vertices.row(v) == mesh.vertices.row(coarse.kept[static_cast<std::size_t>(v)]));
+        EXPECT_TRUE(coarse.mesh.vertices.row(v) ==
+                    mesh.vertices.row(coarse.kept[static_cast<std::size_t>(v)]));
     EXPECT_LT(hausdorff_distance(mesh, coarse.mesh, {}), 0.4);
 }
 
@@ -160,8 +168,12 @@ TEST(Decimation, DoesNotPullBordersInwards) {
     const TriMesh mesh = test::grid(10, 10, 20, 20);
     const DecimatedMesh coarse = decimate(mesh, 50, {});
     for (const double corner : {0.0, 10.0}) {
-        EXPECT_NEAR(corner == 0.0 ? coarse.mesh.vertices.col(0).minCoeff() : coarse.mesh.vertices.col(0).maxCoeff(), corner, 1e-12);
-        EXPECT_NEAR(corner == 0.0 ? coarse.mesh.vertices.col(1).minCoeff() : coarse.mesh.vertices.col(1).maxCoeff(), corner, 1e-12);
+        EXPECT_NEAR(corner == 0.0 ? coarse.mesh.vertices.col(0).minCoeff()
+                                  : coarse.mesh.vertices.col(0).maxCoeff(),
+                    corner, 1e-12);
+        EXPECT_NEAR(corner == 0.0 ? coarse.mesh.vertices.col(1).minCoeff()
+                                  : coarse.mesh.vertices.col(1).maxCoeff(),
+                    corner, 1e-12);
     }
 }
 
@@ -178,17 +190,23 @@ TEST(Decimation, RefusesNonManifoldMeshes) {
 
 TEST(Hierarchy, MapsKeepConstantsAndPlaces) {
     const TriMesh mesh = test::face_like(24);
-    for (const auto& levels : {quadric_hierarchy(mesh, 3, 3.0, {}), connectivity_hierarchy(mesh, 3, 2, 2, {})}) {
+    for (const auto& levels :
+         {quadric_hierarchy(mesh, 3, 3.0, {}), connectivity_hierarchy(mesh, 3, 2, 2, {})}) {
         ASSERT_EQ(levels->levels.size(), 4u);
         for (std::size_t l = 1; l < levels->levels.size(); ++l) {
             const MeshLevel& level = levels->levels[l];
-            const Index fine = levels->levels[l - 1].mesh.vertices.rows(), coarse = level.mesh.vertices.rows();
+            const Index fine = levels->levels[l - 1].mesh.vertices.rows(),
+                        coarse = level.mesh.vertices.rows();
             EXPECT_LT(coarse, fine);
-            EXPECT_LT((level.down * Vector::Ones(fine) - Vector::Ones(coarse)).cwiseAbs().maxCoeff(), 1e-12);
-            EXPECT_LT((level.up * Vector::Ones(coarse) - Vector::Ones(fine)).cwiseAbs().maxCoeff(), 1e-12);
+            EXPECT_LT(
+                (level.down * Vector::Ones(fine) - Vector::Ones(coarse)).cwiseAbs().maxCoeff(),
+                1e-12);
+            EXPECT_LT((level.up * Vector::Ones(coarse) - Vector::Ones(fine)).cwiseAbs().maxCoeff(),
+                      1e-12);
             // Up after down stays near the face: each vertex comes from its neighbourhood.
             const Points& x = levels->levels[l - 1].mesh.vertices;
-            EXPECT_LT((level.up * (level.down * x) - x).rowwise().norm().maxCoeff(), l == 1 ? 8.0 : 25.0);
+            EXPECT_LT((level.up * (level.down * x) - x).rowwise().norm().maxCoeff(),
+                      l == 1 ? 8.0 : 25.0);
         }
     }
 }
@@ -204,7 +222,9 @@ TEST(Hierarchy, ConnectivitySamplesAreStrideApartAndCoverEverything) {
         for (Index f = 0; f < mesh.triangles.rows(); ++f)
             for (int c = 0; c < 3; ++c)
                 if (mesh.triangles(f, c) == a) {
-                    EXPECT_EQ(std::count(level.kept.begin(), level.kept.end(), mesh.triangles(f, (c + 1) % 3)), 0);
+                    EXPECT_EQ(std::count(level.kept.begin(), level.kept.end(),
+                                         mesh.triangles(f, (c + 1) % 3)),
+                              0);
                 }
 }
 

@@ -81,7 +81,8 @@ TEST(Fmpd, IsZeroForTheSameAndUnderSimilarity) {
 }
 
 TEST(Fmpd, ComparesTwoConnectivitiesOfOneSurface) {
-    // Noise on one connectivity is farther from the smooth surface than another smooth connectivity.
+    // Noise on one connectivity is farther from the smooth surface than another smooth
+    // connectivity.
     const TriMesh coarse = test::sphere(50, 3), fine = test::sphere(50, 4);
     const TriMesh noisy = with(fine, test::noisy(fine.vertices, 0.5));
     EXPECT_LT(fmpd(coarse, fine, {}), 0.5 * fmpd(coarse, noisy, {}));
@@ -104,9 +105,11 @@ TEST(Perception, RanksNoiseWorseThanASmoothBendOfEqualDistance) {
     const TriMesh mesh = test::face_like(30);
     const TriMesh bent = with(mesh, test::bent(mesh.vertices, 0.1));
     Points shaken = test::noisy(mesh.vertices, 0.1);
-    const double ratio = l2_distance(mesh.vertices, bent.vertices) / l2_distance(mesh.vertices, shaken);
+    const double ratio =
+        l2_distance(mesh.vertices, bent.vertices) / l2_distance(mesh.vertices, shaken);
     shaken = mesh.vertices + ratio * (shaken - mesh.vertices);
-    EXPECT_NEAR(l2_distance(mesh.vertices, shaken), l2_distance(mesh.vertices, bent.vertices), 1e-9);
+    EXPECT_NEAR(l2_distance(mesh.vertices, shaken), l2_distance(mesh.vertices, bent.vertices),
+                1e-9);
     EXPECT_GT(dame(mesh, with(mesh, shaken), {}), 5 * dame(mesh, bent, {}));
     EXPECT_GT(fmpd(mesh, with(mesh, shaken), {}), 2 * fmpd(mesh, bent, {}));
 }
@@ -128,7 +131,8 @@ TEST(Perception, RefusesWhatDoesNotFit) {
     TriMesh cloud = mesh;
     cloud.triangles.resize(0, 3);
     EXPECT_EQ(test::status_of([&] { fmpd(mesh, cloud, {}); }), Status::invalid_mesh);
-    EXPECT_EQ(test::status_of([&] { l1_distance(mesh.vertices, mesh.vertices.topRows(3)); }), Status::mismatch);
+    EXPECT_EQ(test::status_of([&] { l1_distance(mesh.vertices, mesh.vertices.topRows(3)); }),
+              Status::mismatch);
 }
 
 }  // namespace

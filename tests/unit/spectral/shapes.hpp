@@ -30,14 +30,16 @@ inline Points noisy(const Points& points, double amplitude, std::uint64_t seed =
     Points result = points;
     for (Index v = 0; v < points.rows(); ++v)
         for (int d = 0; d < 3; ++d)
-            result(v, d) += amplitude * noise(seed + 3 * static_cast<std::uint64_t>(v) + static_cast<std::uint64_t>(d));
+            result(v, d) += amplitude * noise(seed + 3 * static_cast<std::uint64_t>(v) +
+                                              static_cast<std::uint64_t>(d));
     return result;
 }
 /// A smooth bend.
 inline Points bent(const Points& points, double amount) {
     Points result = points;
     for (Index v = 0; v < points.rows(); ++v)
-        result(v, 2) += amount * std::cos(0.1 * points(v, 0)) + 0.5 * amount * std::sin(0.08 * points(v, 1));
+        result(v, 2) +=
+            amount * std::cos(0.1 * points(v, 0)) + 0.5 * amount * std::sin(0.08 * points(v, 1));
     return result;
 }
 

@@ -28,11 +28,13 @@ TEST_F(Bands, AddUpToTheFace) {
     Points sum = mesh_.vertices;
     for (const Points& band : bands) sum += band;
     EXPECT_LT((sum - face_).cwiseAbs().maxCoeff(), 1e-10);
-    EXPECT_LT((merge_bands(*basis_, bands, {10, 40, 80}, context_) - face_).cwiseAbs().maxCoeff(), 1e-9);
+    EXPECT_LT((merge_bands(*basis_, bands, {10, 40, 80}, context_) - face_).cwiseAbs().maxCoeff(),
+              1e-9);
 }
 
 TEST_F(Bands, LowAndHighGiveTheFaceBack) {
-    const Points low = low_band(*basis_, face_, 50, context_), high = high_band(*basis_, face_, 50, context_);
+    const Points low = low_band(*basis_, face_, 50, context_),
+                 high = high_band(*basis_, face_, 50, context_);
     EXPECT_LT((low + high - mesh_.vertices - face_).cwiseAbs().maxCoeff(), 1e-10);
     EXPECT_LT((assemble(*basis_, low, high, 50, context_) - face_).cwiseAbs().maxCoeff(), 1e-9);
 }
@@ -41,24 +43,30 @@ TEST_F(Bands, ProjectionIsIdempotentAndOrthonormal) {
     const Points low = low_band(*basis_, face_, 30, context_);
     EXPECT_LT((low_band(*basis_, low, 30, context_) - low).cwiseAbs().maxCoeff(), 1e-9);
     const Matrix coefficients = Matrix::Random(80, 3);
-    const Matrix back = project(*basis_, synthesise(*basis_, coefficients, 0, context_), 80, context_);
+    const Matrix back =
+        project(*basis_, synthesise(*basis_, coefficients, 0, context_), 80, context_);
     EXPECT_LT((back - coefficients).cwiseAbs().maxCoeff(), 1e-8);
 }
 
 TEST_F(Bands, MergingDropsWhatDoesNotBelongToABand) {
     auto bands = split_bands(*basis_, face_, {20}, context_);
     const Points before = merge_bands(*basis_, bands, {20}, context_);
-    bands[0] += high_band(*basis_, face_, 60, context_) - mesh_.vertices;  // high frequencies put into the low band
+    bands[0] += high_band(*basis_, face_, 60, context_) -
+                mesh_.vertices;  // high frequencies put into the low band
     EXPECT_LT((merge_bands(*basis_, bands, {20}, context_) - before).cwiseAbs().maxCoeff(), 1e-9);
 }
 
 TEST_F(Bands, GainsOfOneKeepAndOfZeroSmooth) {
     const Vector ones = Vector::Ones(2);
-    EXPECT_LT((edit_bands(*basis_, face_, {40}, ones, context_) - face_).cwiseAbs().maxCoeff(), 1e-10);
+    EXPECT_LT((edit_bands(*basis_, face_, {40}, ones, context_) - face_).cwiseAbs().maxCoeff(),
+              1e-10);
     Vector smooth(2);
     smooth << 1, 0;
-    EXPECT_LT((edit_bands(*basis_, face_, {40}, smooth, context_) - low_band(*basis_, face_, 40, context_))
-                  .cwiseAbs().maxCoeff(), 1e-9);
+    EXPECT_LT((edit_bands(*basis_, face_, {40}, smooth, context_) -
+               low_band(*basis_, face_, 40, context_))
+                  .cwiseAbs()
+                  .maxCoeff(),
+              1e-9);
 }
 
 TEST_F(Bands, MixingExchangesDetail) {
@@ -68,7 +76,9 @@ TEST_F(Bands, MixingExchangesDetail) {
     const Points mixed = mix_bands(*basis_, face_, other, {40}, weights, context_);
     EXPECT_LT((mixed - assemble(*basis_, face_, other, 40, context_)).cwiseAbs().maxCoeff(), 1e-9);
     weights << 1, 1;
-    EXPECT_LT((mix_bands(*basis_, face_, other, {40}, weights, context_) - other).cwiseAbs().maxCoeff(), 1e-9);
+    EXPECT_LT(
+        (mix_bands(*basis_, face_, other, {40}, weights, context_) - other).cwiseAbs().maxCoeff(),
+        1e-9);
 }
 
 TEST_F(Bands, AssembleEndsAtTheWholeFaces) {
@@ -97,13 +107,18 @@ TEST_F(Bands, FileGivesTheSameBasis) {
 TEST_F(Bands, RefuseWhatDoesNotFit) {
     const Points shorter = face_.topRows(10);
     EXPECT_EQ(test::status_of([&] { low_band(*basis_, shorter, 10, context_); }), Status::mismatch);
-    EXPECT_EQ(test::status_of([&] { low_band(*basis_, face_, 81, context_); }), Status::invalid_argument);
-    EXPECT_EQ(test::status_of([&] { split_bands(*basis_, face_, {20, 20}, context_); }), Status::invalid_argument);
+    EXPECT_EQ(test::status_of([&] { low_band(*basis_, face_, 81, context_); }),
+              Status::invalid_argument);
+    EXPECT_EQ(test::status_of([&] {
+                  split_bands(*basis_, face_, {20, 20}, context_);
+              }),
+              Status::invalid_argument);
     EXPECT_EQ(test::status_of([&] { edit_bands(*basis_, face_, {20}, Vector::Ones(1), context_); }),
               Status::invalid_argument);
     Points broken = face_;
     broken(3, 1) = std::nan("");
-    EXPECT_EQ(test::status_of([&] { high_band(*basis_, broken, 10, context_); }), Status::invalid_mesh);
+    EXPECT_EQ(test::status_of([&] { high_band(*basis_, broken, 10, context_); }),
+              Status::invalid_mesh);
 }
 
 TEST(SpectralBasis, WithoutMassIsOrthonormalAsItStands) {
