@@ -8,7 +8,7 @@
 #include "options.hpp"
 #include "session.hpp"
 #include "spectral.hpp"
-#include "spectral/blendshapes.hpp"
+#include "learning/blendshapes.hpp"
 #include "spectral/deformation_transfer.hpp"
 
 using namespace mien;

@@ -1,9 +1,10 @@
 // Levels of a template.
-#include "spectral/hierarchy.hpp"
+#include "learning/hierarchy.hpp"
 #include "arrays.hpp"
 #include "guard.hpp"
 #include "session.hpp"
 #include "spectral.hpp"
+#include "spectral/deformation_representation.hpp"
 
 using namespace mien;
 using namespace mien::abi;

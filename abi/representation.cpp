@@ -6,7 +6,7 @@
 #include "mesh/dataset.hpp"
 #include "session.hpp"
 #include "spectral.hpp"
-#include "spectral/face_features.hpp"
+#include "learning/face_features.hpp"
 
 using namespace mien;
 using namespace mien::abi;

@@ -11,7 +11,7 @@ jobs=$(nproc 2>/dev/null || echo 2)
 sh cmake/install-packages.sh build
 
 # A build folder of its own: no tests, only the two programs that are needed.
-cmake --preset release -B build/quickstart-build -DMIEN_BUILD_TESTS=OFF >/dev/null
+cmake --preset joined -B build/quickstart-build -DMIEN_BUILD_TESTS=OFF >/dev/null
 cmake --build build/quickstart-build --target mien_command mien-demo-data -j "$jobs"
 mien=build/quickstart-build/bin/mien
 

@@ -6,11 +6,11 @@
 # own demo data, on this machine's kind also where there is nothing but the C library; a program of the first release runs,
 # file names are UTF-8, and every function is called with every wrong argument. The neutral face must agree with this
 # machine's own build to 0.001 mm (abi/README.md, promises).
-#   MIEN_NATIVE  a build of this machine with bin/mien and bin/mien-demo-data (default build/release)
+#   MIEN_NATIVE  a build of this machine with bin/mien and bin/mien-demo-data (default build/joined)
 #   MIEN_WORK    keeps dependencies and objects for the next run (default build/cross)
 set -eu
 project=$(cd "$(dirname "$0")/.." && pwd)
-native=${MIEN_NATIVE:-$project/build/release}
+native=${MIEN_NATIVE:-$project/build/joined}
 work=${MIEN_WORK:-$project/build/cross}
 mkdir -p "$work"
 work=$(cd "$work" && pwd)

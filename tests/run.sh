@@ -7,9 +7,9 @@ cd "$(dirname "$0")/.."
 
 sh cmake/install-packages.sh build test
 
-cmake --preset release -DMIEN_WERROR=ON
-cmake --build --preset release
-ctest --preset release -j 2 --timeout 900
+cmake --preset joined -DMIEN_WERROR=ON
+cmake --build --preset joined
+ctest --preset joined -j 2 --timeout 900
 
 sanitize=${MIEN_TEST_SANITIZE:-short}
 if [ "$sanitize" != 0 ]; then

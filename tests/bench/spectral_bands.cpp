@@ -9,7 +9,7 @@
 
 #include "cli/plot.hpp"
 #include "mesh/dataset.hpp"
-#include "spectral/face_features.hpp"
+#include "learning/face_features.hpp"
 #include "spectral/spectral_basis.hpp"
 #include "spectral_support.hpp"
 

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "mesh/dataset.hpp"
-#include "spectral/blendshapes.hpp"
+#include "learning/blendshapes.hpp"
 #include "spectral/deformation_transfer.hpp"
 #include "spectral/metrics.hpp"
 #include "spectral_support.hpp"

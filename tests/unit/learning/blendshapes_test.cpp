@@ -4,12 +4,12 @@
 #include <Eigen/Geometry>
 
 #include "geometry/alignment.hpp"
+#include "learning/blendshapes.hpp"
+#include "learning/hierarchy.hpp"
 #include "mesh/decimation.hpp"
-#include "shapes.hpp"
-#include "spectral/blendshapes.hpp"
-#include "spectral/hierarchy.hpp"
 #include "spectral/metrics.hpp"
 #include "unit/scratch.hpp"
+#include "unit/spectral/shapes.hpp"
 
 namespace mien {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "spectral/face_features.hpp"
+#include "learning/face_features.hpp"
 #include "spectral/spectral_basis.hpp"
 
 namespace mien {

@@ -1,7 +1,7 @@
 // Departures from kosk-2024: (3.9) and (3.10) are not inverses of each other; (3.8) with a = -1, b
 // = 1 and its inverse are used. (3.3) names the factors the wrong way round; align_points() solves
 // what (3.2) asks for. The scale (3.7) takes the greatest magnitude, not the greatest signed value.
-#include "spectral/face_features.hpp"
+#include "learning/face_features.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "spectral/hierarchy.hpp"
+#include "learning/hierarchy.hpp"
 
 #include <algorithm>
 #include <cmath>

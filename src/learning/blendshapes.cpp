@@ -7,7 +7,7 @@
 //
 // The differential band is the deformation of the person's own neutral face, not of the mean:
 // wrinkles and pores then come from the person, only their motion from the regression.
-#include "spectral/blendshapes.hpp"
+#include "learning/blendshapes.hpp"
 
 #include <algorithm>
 #include <cmath>
