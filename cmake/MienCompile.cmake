@@ -47,8 +47,9 @@ if(MIEN_SANITIZE)
     add_link_options(-fsanitize=${MIEN_SANITIZE})
 endif()
 
-# What nearly every file of the core includes, and the decompositions that are compiled once.
-set(mien_common_headers <Eigen/Dense> ${PROJECT_SOURCE_DIR}/src/base/decompositions.hpp
+# What nearly every file of the core includes, and the decompositions that are compiled once. No absolute path: the
+# precompiled header is then the same in every checkout, and so are the compiler cache's keys.
+set(mien_common_headers <Eigen/Dense> <base/decompositions.hpp>
     <string> <vector> <functional> <memory> <map>)
 
 # mien_compile_fast(TARGET): a program in which the compiler's time counts for more than its own. Not for what links
