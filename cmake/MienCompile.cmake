@@ -89,9 +89,15 @@ function(mien_unit_test name)
     else()
         target_precompile_headers(test_${name} REUSE_FROM test_base)
     endif()
-    # MIEN_SHARED_DATA: real and simulated scans that are not part of the project; tests that need
-    # them skip where the folder is absent.
-    target_compile_definitions(test_${name} PRIVATE
-        MIEN_SHARED_DATA="${PROJECT_SOURCE_DIR}/../shared/data" MIEN_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    # MIEN_SHARED_DATA: real and simulated scans that are not part of the project; tests that need them skip where
+    # the folder is absent. Only the files that name it (or MIEN_SOURCE_DIR) are told, at configuration: the others'
+    # command lines are the same in every checkout, so that the compiler's cache knows them.
+    foreach(source ${sources})
+        file(STRINGS ${source} asks_for_paths REGEX "MIEN_(SHARED_DATA|SOURCE_DIR)" LIMIT_COUNT 1)
+        if(asks_for_paths)
+            set_property(SOURCE ${source} APPEND PROPERTY COMPILE_DEFINITIONS
+                MIEN_SHARED_DATA="${PROJECT_SOURCE_DIR}/../shared/data" MIEN_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+        endif()
+    endforeach()
     add_test(NAME unit_${name} COMMAND test_${name})
 endfunction()
