@@ -6,6 +6,7 @@
 #include "guard.hpp"
 #include "memory_file.hpp"
 #include "mesh/dataset.hpp"
+#include "model/landmarks.hpp"
 #include "model/model_builder.hpp"
 #include "model/model_json.hpp"
 #include "model/posterior.hpp"
@@ -176,10 +177,8 @@ std::vector<LandmarkObservation> read_observations(const DeformationModel& model
         LandmarkObservation seen;
         seen.vertex = given[i].vertex;
         if (given[i].name != nullptr) {
-            const auto found = std::find_if(
-                model.landmarks.begin(), model.landmarks.end(),
-                [&](const Landmark& landmark) { return landmark.name == given[i].name; });
-            if (found == model.landmarks.end())
+            const Landmark* found = find_landmark(model.landmarks, given[i].name);
+            if (found == nullptr)
                 fail_at(Status::not_found, static_cast<std::int64_t>(i),
                         "the model has no landmark \"%.60s\"", given[i].name);
             seen.vertex = found->vertex;

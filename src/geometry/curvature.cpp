@@ -8,37 +8,10 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "geometry/normals.hpp"
+#include "mesh/adjacency.hpp"
 
 namespace mien {
 namespace {
-
-// Neighbours of every vertex, packed.
-struct Adjacency {
-    std::vector<std::uint32_t> begin, neighbours;
-};
-
-Adjacency build_adjacency(const TrianglesRef& triangles, Index num_vertices) {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-    pairs.reserve(static_cast<std::size_t>(triangles.rows()) * 6);
-    for (Index t = 0; t < triangles.rows(); ++t)
-        for (int k = 0; k < 3; ++k) {
-            const std::uint32_t a = triangles(t, k), b = triangles(t, (k + 1) % 3);
-            if (a == b) continue;
-            pairs.emplace_back(a, b);
-            pairs.emplace_back(b, a);
-        }
-    std::sort(pairs.begin(), pairs.end());
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-    Adjacency adjacency;
-    adjacency.begin.assign(static_cast<std::size_t>(num_vertices) + 1, 0);
-    for (const auto& pair : pairs) {
-        ++adjacency.begin[pair.first + 1];
-        adjacency.neighbours.push_back(pair.second);
-    }
-    for (std::size_t v = 0; v + 1 < adjacency.begin.size(); ++v)
-        adjacency.begin[v + 1] += adjacency.begin[v];
-    return adjacency;
-}
 
 constexpr std::size_t kEnough = 12;  // 10 coefficients and some to spare
 constexpr std::size_t kMost = 200;   // dense scans: the nearest rings suffice
@@ -46,10 +19,8 @@ constexpr std::size_t kMost = 200;   // dense scans: the nearest rings suffice
 // Vertices reached over edges without leaving the ball; the ball grows while there are too few.
 class Gatherer {
   public:
-    Gatherer(const PointsRef& vertices, const Adjacency& adjacency)
-        : vertices_(vertices),
-          adjacency_(adjacency),
-          seen_(static_cast<std::size_t>(vertices.rows()), 0) {}
+    Gatherer(const PointsRef& vertices, const VertexRings& rings)
+        : vertices_(vertices), rings_(rings), seen_(static_cast<std::size_t>(vertices.rows()), 0) {}
 
     const std::vector<std::uint32_t>& gather(std::uint32_t centre, double radius) {
         for (int attempt = 0; attempt < 6; ++attempt, radius *= 1.5) {
@@ -68,9 +39,7 @@ class Gatherer {
         seen_[centre] = stamp_;
         found_.push_back(centre);
         for (std::size_t next = 0; next < found_.size() && found_.size() < kMost; ++next)
-            for (std::uint32_t e = adjacency_.begin[found_[next]];
-                 e < adjacency_.begin[found_[next] + 1]; ++e) {
-                const std::uint32_t v = adjacency_.neighbours[e];
+            for (const std::uint32_t v : rings_.of(found_[next])) {
                 if (seen_[v] == stamp_) continue;
                 seen_[v] = stamp_;
                 if ((vertices_.row(v) - vertices_.row(centre)).squaredNorm() <= radius * radius)
@@ -79,7 +48,7 @@ class Gatherer {
     }
 
     const PointsRef& vertices_;
-    const Adjacency& adjacency_;
+    const VertexRings& rings_;
     std::vector<std::uint32_t> seen_;
     std::uint32_t stamp_ = 0;
     std::vector<std::uint32_t> found_;
@@ -185,14 +154,14 @@ CurvatureField estimate_curvature(const PointsRef& vertices, const TrianglesRef&
         fail(Status::invalid_argument, "a curvature radius of %g mm; give a positive one",
              options.radius_mm);
     const Index num_vertices = vertices.rows();
-    const Adjacency adjacency = build_adjacency(triangles, num_vertices);
+    const VertexRings rings = build_rings(num_vertices, triangles);
     const Points start_normals = vertex_normals(vertices, triangles);
     CurvatureField field;
     field.maximal = field.minimal = Vector::Zero(num_vertices);
     field.direction = field.normals = Points::Zero(num_vertices, 3);
     parallel_for(context, static_cast<std::size_t>(num_vertices), 2048,
                  [&](std::size_t begin, std::size_t end) {
-                     Gatherer gatherer(vertices, adjacency);
+                     Gatherer gatherer(vertices, rings);
                      for (std::size_t i = begin; i < end; ++i) {
                          const Index v = static_cast<Index>(i);
                          const auto& near =

@@ -4,12 +4,13 @@
 #include <cmath>
 #include <Eigen/SparseCore>
 #include <limits>
-#include <queue>
+#include <numeric>
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "geometry/heat_solver.hpp"
 #include "geometry/intrinsic_mesh.hpp"
+#include "mesh/shortest_paths.hpp"
 
 #if defined(__GNUC__) && defined(__x86_64__)
 #define MIEN_HEAT_AVX2 1
@@ -142,35 +143,32 @@ void assemble(const IntrinsicMesh& mesh, const std::vector<std::int32_t>& place,
 /// geodesic, twice of it bounds all of them.
 double edge_eccentricity(const IntrinsicMesh& mesh) {
     const auto n = static_cast<std::size_t>(mesh.num_vertices);
-    std::vector<std::vector<std::pair<std::uint32_t, double>>> neighbours(n);
+    // Lengths are the intrinsic edges' own, and two vertices may have several edges.
+    PathGraph graph;
+    graph.begin.assign(n + 1, 0);
+    for (Index t = 0; t < mesh.triangles.rows(); ++t)
+        for (int k = 0; k < 3; ++k) graph.begin[mesh.triangles(t, k) + 1] += 2;
+    std::partial_sum(graph.begin.begin(), graph.begin.end(), graph.begin.begin());
+    graph.edges.resize(graph.begin.back());
+    std::vector<std::uint32_t> next(graph.begin.begin(), graph.begin.end() - 1);
     for (Index t = 0; t < mesh.triangles.rows(); ++t)
         for (int k = 0; k < 3; ++k) {
             const std::uint32_t i = mesh.triangles(t, (k + 1) % 3),
                                 j = mesh.triangles(t, (k + 2) % 3);
-            neighbours[i].emplace_back(j, mesh.lengths(t, k));
-            neighbours[j].emplace_back(i, mesh.lengths(t, k));
+            graph.edges[next[i]++] = {j, mesh.lengths(t, k)};
+            graph.edges[next[j]++] = {i, mesh.lengths(t, k)};
         }
-    std::vector<double> distance(n, std::numeric_limits<double>::infinity());
+    std::vector<std::uint32_t> sources;
     std::vector<char> begun(static_cast<std::size_t>(mesh.num_components), 0);
-    std::priority_queue<std::pair<double, std::uint32_t>> open;
     for (std::size_t v = 0; v < n; ++v)
         if (!begun[static_cast<std::size_t>(mesh.component[v])]) {
             begun[static_cast<std::size_t>(mesh.component[v])] = 1;
-            distance[v] = 0;
-            open.emplace(0.0, static_cast<std::uint32_t>(v));
+            sources.push_back(static_cast<std::uint32_t>(v));
         }
+    std::vector<double> distance(n, std::numeric_limits<double>::infinity());
     double largest = 0;
-    while (!open.empty()) {
-        const auto [minus, v] = open.top();
-        open.pop();
-        if (-minus > distance[v]) continue;
-        largest = std::max(largest, -minus);
-        for (const auto& [w, length] : neighbours[v])
-            if (-minus + length < distance[w]) {
-                distance[w] = -minus + length;
-                open.emplace(-distance[w], w);
-            }
-    }
+    walk_paths(graph, sources, std::numeric_limits<double>::infinity(), distance,
+               [&](const ReachedVertex& at) { largest = at.path; });
     return largest;
 }
 

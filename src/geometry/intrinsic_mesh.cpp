@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "base/error.hpp"
+#include "base/scalar_math.hpp"
 
 namespace mien {
 namespace {
@@ -145,7 +146,7 @@ void glue_edge(const Side* sides, std::size_t count, const PointsRef& vertices,
             v = axis.cross(out) / std::sqrt(std::max(axis_squared, 1e-300));
         }
         const double angle = s == 0 ? 0.0 : std::atan2(out.dot(v), out.dot(u));
-        sheets[s] = {angle < 0 ? angle + 2 * EIGEN_PI : angle, h};
+        sheets[s] = {angle < 0 ? angle + 2 * kPi : angle, h};
     }
     std::sort(sheets.begin(), sheets.end());
     for (std::size_t s = 0; s < count; ++s) {

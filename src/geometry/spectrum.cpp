@@ -20,6 +20,7 @@
 #include "base/dense.hpp"
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "base/scalar_math.hpp"
 #include "geometry/spectrum_slice.hpp"
 
 namespace mien {
@@ -28,7 +29,6 @@ namespace {
 constexpr Index kSliceWidth = 80;  // balances solves against orthogonalisation (measured)
 constexpr Index kOverlap = 6;      // pairs that neighbouring slices both find
 constexpr Index kDenseSize = 320;  // below this a dense solver is faster than one slice
-constexpr double kPi = 3.14159265358979323846;
 
 struct Problem {
     SparseMatrix a;  // lower triangle and diagonal, in fill-reducing order

@@ -5,6 +5,7 @@
 #include <deque>
 
 #include "base/error.hpp"
+#include "mesh/adjacency.hpp"
 #include "mesh/decimation.hpp"
 #include "spatial/triangle_tree.hpp"
 
@@ -12,7 +13,6 @@ namespace mien {
 namespace {
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
-using Rings = std::vector<std::vector<std::uint32_t>>;
 
 RowSparse matrix_of(Index rows, Index cols, const Triplets& entries) {
     RowSparse matrix(rows, cols);
@@ -36,47 +36,6 @@ MeshHierarchy with_finest(const TriMesh& mesh, const char* kind) {
     hierarchy.levels[0].mesh.triangles = mesh.triangles;
     return hierarchy;
 }
-
-Rings rings_of(const TrianglesRef& triangles, Index n) {
-    Rings rings(static_cast<std::size_t>(n));
-    for (Index f = 0; f < triangles.rows(); ++f)
-        for (int c = 0; c < 3; ++c) {
-            rings[triangles(f, c)].push_back(triangles(f, (c + 1) % 3));
-            rings[triangles(f, c)].push_back(triangles(f, (c + 2) % 3));
-        }
-    for (auto& ring : rings) {
-        std::sort(ring.begin(), ring.end());
-        ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
-    }
-    return rings;
-}
-
-/// Vertices within `radius` edges of `start`, by breadth-first search.
-class Ball {
-  public:
-    explicit Ball(std::size_t n) : seen_(n, 0) {}
-    const std::vector<std::uint32_t>& around(const Rings& rings, std::uint32_t start,
-                                             Index radius) {
-        ++stamp_;
-        found_.assign(1, start);
-        seen_[start] = stamp_;
-        std::size_t begin = 0;
-        for (Index step = 0; step < radius; ++step) {
-            const std::size_t end = found_.size();
-            for (; begin < end; ++begin)
-                for (const std::uint32_t next : rings[found_[begin]])
-                    if (seen_[next] != stamp_) {
-                        seen_[next] = stamp_;
-                        found_.push_back(next);
-                    }
-        }
-        return found_;
-    }
-
-  private:
-    std::vector<std::uint32_t> seen_, found_;
-    std::uint32_t stamp_ = 0;
-};
 
 void add_csr(std::vector<TensorToWrite>& tensors, const std::string& name, const RowSparse& m) {
     tensors.push_back(
@@ -169,12 +128,12 @@ std::shared_ptr<const MeshHierarchy> connectivity_hierarchy(const TriMesh& mesh,
              "stride %lld with radius %lld: stride is at least 1, radius stride - 1 to 64",
              static_cast<long long>(stride), static_cast<long long>(radius));
     auto hierarchy = std::make_shared<MeshHierarchy>(with_finest(mesh, "connectivity"));
-    Rings rings = rings_of(mesh.triangles, mesh.vertices.rows());
+    VertexRings rings = build_rings(mesh.vertices.rows(), mesh.triangles);
     for (Index l = 1; l <= num_levels; ++l) {
         context.check_cancelled();
         const TriMesh& fine = hierarchy->levels.back().mesh;
         const Index n = fine.vertices.rows();
-        Ball ball(static_cast<std::size_t>(n));
+        RingWalker ball(rings);
         MeshLevel level;
         std::vector<char> covered(static_cast<std::size_t>(n), 0);
         std::vector<Index> coarse_of(static_cast<std::size_t>(n), -1);
@@ -182,8 +141,7 @@ std::shared_ptr<const MeshHierarchy> connectivity_hierarchy(const TriMesh& mesh,
             if (covered[static_cast<std::size_t>(v)]) continue;
             coarse_of[static_cast<std::size_t>(v)] = static_cast<Index>(level.kept.size());
             level.kept.push_back(static_cast<std::uint32_t>(v));
-            for (const std::uint32_t w :
-                 ball.around(rings, static_cast<std::uint32_t>(v), stride - 1))
+            for (const std::uint32_t w : ball.within(static_cast<std::uint32_t>(v), stride - 1))
                 covered[w] = 1;
         }
         if (static_cast<Index>(level.kept.size()) == n && stride > 1) break;
@@ -191,8 +149,7 @@ std::shared_ptr<const MeshHierarchy> connectivity_hierarchy(const TriMesh& mesh,
         Triplets down, up;
         std::vector<double> received(static_cast<std::size_t>(n), 0);
         for (Index i = 0; i < m; ++i) {
-            const auto& members =
-                ball.around(rings, level.kept[static_cast<std::size_t>(i)], radius);
+            const auto& members = ball.within(level.kept[static_cast<std::size_t>(i)], radius);
             for (const std::uint32_t w : members) {
                 down.emplace_back(i, w, 1.0 / static_cast<double>(members.size()));
                 received[w] += 1;
@@ -204,17 +161,20 @@ std::shared_ptr<const MeshHierarchy> connectivity_hierarchy(const TriMesh& mesh,
         level.down = matrix_of(m, n, down);
         level.up = matrix_of(n, m, up);
         // Two kept vertices are neighbours when their neighbourhoods of `stride` edges meet.
-        Rings coarse_rings(static_cast<std::size_t>(m));
-        for (Index i = 0; i < m; ++i)
+        VertexRings coarse;
+        coarse.begin.push_back(0);
+        for (Index i = 0; i < m; ++i) {
             for (const std::uint32_t w :
-                 ball.around(rings, level.kept[static_cast<std::size_t>(i)], 2 * stride - 1))
+                 ball.within(level.kept[static_cast<std::size_t>(i)], 2 * stride - 1))
                 if (coarse_of[w] >= 0 && coarse_of[w] != i)
-                    coarse_rings[static_cast<std::size_t>(i)].push_back(
-                        static_cast<std::uint32_t>(coarse_of[w]));
+                    coarse.neighbours.push_back(static_cast<std::uint32_t>(coarse_of[w]));
+            std::sort(coarse.neighbours.begin() + coarse.begin.back(), coarse.neighbours.end());
+            coarse.begin.push_back(static_cast<std::uint32_t>(coarse.neighbours.size()));
+        }
         level.mesh.vertices.resize(m, 3);
         for (Index i = 0; i < m; ++i)
             level.mesh.vertices.row(i) = fine.vertices.row(level.kept[static_cast<std::size_t>(i)]);
-        rings = std::move(coarse_rings);
+        rings = std::move(coarse);
         hierarchy->levels.push_back(std::move(level));
     }
     return hierarchy;

@@ -10,7 +10,9 @@
 #include "base/dense.hpp"
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "base/scalar_math.hpp"
 #include "geometry/normals.hpp"
+#include "mesh/shortest_paths.hpp"
 
 namespace mien {
 namespace {
@@ -81,28 +83,14 @@ std::vector<std::uint32_t> farthest_points(const PointsRef& vertices, const Tria
                                            Index count) {
     const auto n = static_cast<std::size_t>(vertices.rows());
     count = std::min<Index>(count, vertices.rows());
-    std::vector<std::size_t> begin(n + 1, 0);
-    for (Index t = 0; t < triangles.rows(); ++t)
-        for (int k = 0; k < 3; ++k) begin[triangles(t, k) + 1] += 2;
-    for (std::size_t v = 0; v < n; ++v) begin[v + 1] += begin[v];
-    std::vector<std::pair<std::uint32_t, double>> around(begin[n]);
-    {
-        std::vector<std::size_t> at(begin.begin(), begin.end() - 1);
-        for (Index t = 0; t < triangles.rows(); ++t)
-            for (int k = 0; k < 3; ++k)
-                for (int other = 1; other < 3; ++other) {
-                    const std::uint32_t a = triangles(t, k), b = triangles(t, (k + other) % 3);
-                    around[at[a]++] = {b, (vertices.row(a) - vertices.row(b)).norm()};
-                }
-    }
+    const PathGraph graph = build_path_graph(vertices, build_rings(vertices.rows(), triangles));
     const Eigen::RowVector3d centroid = vertices.colwise().mean();
     Index start = 0;
     (vertices.rowwise() - centroid).rowwise().squaredNorm().maxCoeff(&start);
 
     std::vector<double> distance(n, std::numeric_limits<double>::infinity());
     std::vector<std::uint32_t> chosen;
-    using Entry = std::pair<double, std::uint32_t>;  // (-distance, vertex)
-    std::priority_queue<Entry> open;
+    using Entry = std::pair<double, std::uint32_t>;  // (distance, vertex)
     // Candidates by distance; stale entries are skipped when they come up.
     const auto nearer = [](const Entry& a, const Entry& b) {
         return a.first != b.first ? a.first < b.first : a.second > b.second;
@@ -113,21 +101,8 @@ std::vector<std::uint32_t> farthest_points(const PointsRef& vertices, const Tria
     auto next = static_cast<std::uint32_t>(start);
     while (static_cast<Index>(chosen.size()) < count) {
         chosen.push_back(next);
-        distance[next] = 0;
-        open.emplace(0.0, next);
-        while (!open.empty()) {
-            const auto [minus, v] = open.top();
-            open.pop();
-            if (-minus > distance[v]) continue;
-            for (std::size_t e = begin[v]; e < begin[v + 1]; ++e) {
-                const auto& [w, length] = around[e];
-                if (-minus + length < distance[w]) {
-                    distance[w] = -minus + length;
-                    open.emplace(-distance[w], w);
-                    farthest.emplace(distance[w], w);
-                }
-            }
-        }
+        walk_paths(graph, {next}, std::numeric_limits<double>::infinity(), distance,
+                   [&](const ReachedVertex& at) { farthest.emplace(at.path, at.vertex); });
         while (!farthest.empty() && farthest.top().first != distance[farthest.top().second])
             farthest.pop();
         // Only points already chosen are left: duplicates at distance zero would add nothing.
@@ -146,8 +121,7 @@ MaternSpectrum matern_spectrum(const Vector& laplace_eigenvalues, double area_mm
         (1 + laplace_eigenvalues.array().max(0.0) / kappa_squared).pow(-(term.nu + 1)).matrix();
     const double last =
         1 + std::max(0.0, laplace_eigenvalues[laplace_eigenvalues.size() - 1]) / kappa_squared;
-    const double beyond =
-        area_mm2 * kappa_squared / (4 * EIGEN_PI * term.nu) * std::pow(last, -term.nu);
+    const double beyond = area_mm2 * kappa_squared / (4 * kPi * term.nu) * std::pow(last, -term.nu);
     const double total = spectrum.variances.sum() + beyond;
     spectrum.tail = beyond / total;
     spectrum.variances *= term.scale_mm * term.scale_mm * area_mm2 / total;

@@ -7,11 +7,6 @@
 
 namespace mien {
 
-double fade(double x) {
-    x = std::min(1.0, std::max(0.0, x));
-    return x * x * (3 - 2 * x);
-}
-
 double robust_weight(RobustWeight kind, double residual, double scale) {
     const double x = residual / scale;
     switch (kind) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/context.hpp"
+#include "base/scalar_math.hpp"
 #include "registration/scan_surface.hpp"
 
 namespace mien {
@@ -35,9 +36,6 @@ void find_correspondences(const ScanSurface& scan, const PointsRef& places,
                           const PointsRef& place_normals, const Vector& scan_weight,
                           const CorrespondenceOptions& options, Correspondences& result,
                           const Context& context);
-
-/// 0 below 0, 1 above 1, smooth between.
-double fade(double x);
 
 /// Weight of a residual: 1 at zero.
 double robust_weight(RobustWeight kind, double residual, double scale);

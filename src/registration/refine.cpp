@@ -40,29 +40,6 @@ void umbrella_transposed(const VertexRings& rings, const Vector& field, Vector& 
 
 }  // namespace
 
-VertexRings build_rings(Index num_vertices, const Triangles& triangles) {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-    pairs.reserve(static_cast<std::size_t>(6 * triangles.rows()));
-    for (Index t = 0; t < triangles.rows(); ++t)
-        for (int k = 0; k < 3; ++k) {
-            const std::uint32_t a = triangles(t, k), b = triangles(t, (k + 1) % 3);
-            pairs.push_back({a, b});
-            pairs.push_back({b, a});
-        }
-    std::sort(pairs.begin(), pairs.end());
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-    VertexRings rings;
-    rings.begin.assign(static_cast<std::size_t>(num_vertices) + 1, 0);
-    rings.neighbours.reserve(pairs.size());
-    for (const auto& [a, b] : pairs) {
-        ++rings.begin[a + 1];
-        rings.neighbours.push_back(b);
-    }
-    for (std::size_t i = 0; i < static_cast<std::size_t>(num_vertices); ++i)
-        rings.begin[i + 1] += rings.begin[i];
-    return rings;
-}
-
 Vector close_gap(const ScanSurface& scan, const Vector& scan_weight, const Triangles& triangles,
                  const VertexRings& rings, const Vector& trust, const CorrespondenceOptions& match,
                  const GapOptions& options, Points& places, const Context& context) {

@@ -13,16 +13,10 @@
 #include <vector>
 
 #include "base/context.hpp"
+#include "mesh/adjacency.hpp"
 #include "registration/correspondence.hpp"
 
 namespace mien {
-
-/// Neighbour lists of a template's vertices.
-struct VertexRings {
-    std::vector<std::uint32_t> begin;  ///< #V + 1
-    std::vector<std::uint32_t> neighbours;
-};
-VertexRings build_rings(Index num_vertices, const Triangles& triangles);
 
 struct GapOptions {
     double smoothness = 2;       ///< alpha

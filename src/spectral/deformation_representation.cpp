@@ -23,14 +23,15 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "base/scalar_math.hpp"
 #include "geometry/laplacian.hpp"
 #include "geometry/normals.hpp"
+#include "mesh/adjacency.hpp"
 
 namespace mien {
 namespace {
 
 constexpr std::size_t kChunk = 1024;
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kLeastWeight = 0.5;      // of the mean weight
 constexpr double kMostWeight = 2;         // of the mean weight
 constexpr double kNormalWeight = 0.25;    // of the one-ring's moment
@@ -39,10 +40,9 @@ constexpr double kRegular = 1e-10;        // for modes that no one-ring sees (re
 
 using RowMatrix3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-double ring_area(const Points& normals, const std::vector<std::vector<std::uint32_t>>& incident,
-                 Index v) {
+double ring_area(const Points& normals, const IncidentTriangles& incident, Index v) {
     double area = 0;
-    for (const std::uint32_t f : incident[static_cast<std::size_t>(v)])
+    for (const std::uint32_t f : incident.of(static_cast<std::size_t>(v)))
         area += normals.row(f).norm();
     return area;
 }
@@ -78,7 +78,7 @@ struct DeformationRepresentation::State {
     TriMesh mesh;
     std::vector<int> ring_begin, ring;  // neighbours of each vertex
     std::vector<double> weight;         // c_ij by entry of `ring`, symmetric
-    std::vector<std::vector<std::uint32_t>> incident;
+    IncidentTriangles incident;
     Points unit_normals;
     Vector root_area;  // square root of the ring's area
     std::vector<Matrix3> inverse_moment;
@@ -128,10 +128,7 @@ void DeformationRepresentation::State::build_rings() {
             }
         ring_begin[static_cast<std::size_t>(j) + 1] = static_cast<int>(ring.size());
     }
-    incident.resize(static_cast<std::size_t>(n));
-    for (Index f = 0; f < mesh.triangles.rows(); ++f)
-        for (int c = 0; c < 3; ++c)
-            incident[mesh.triangles(f, c)].push_back(static_cast<std::uint32_t>(f));
+    incident = incident_triangles(n, mesh.triangles);
 
     const Points normals = triangle_normals(mesh.vertices, mesh.triangles);
     unit_normals = vertex_normals(mesh.vertices, mesh.triangles);

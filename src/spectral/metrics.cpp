@@ -17,6 +17,7 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "base/scalar_math.hpp"
 #include "geometry/laplacian.hpp"
 #include "geometry/normals.hpp"
 #include "mesh/topology.hpp"
@@ -25,7 +26,6 @@
 namespace mien {
 namespace {
 
-constexpr double kHalfTurn = 3.14159265358979323846;
 constexpr std::size_t kEdgeChunk = 4096;
 
 void check_pair(const PointsRef& a, const PointsRef& b) {
@@ -154,7 +154,7 @@ Vector local_roughness(const TriMesh& mesh) {
     for (Index v = 0; v < n; ++v)
         defect[v] = border[static_cast<std::size_t>(v)] || defect[v] == 0
                         ? 0.0
-                        : std::abs(2 * kHalfTurn - defect[v]);
+                        : std::abs(2 * kPi - defect[v]);
     LaplacianOptions options;
     options.negative = NegativeCotangents::clamp;
     const SparseMatrix stiffness =
