@@ -123,10 +123,21 @@ void gather(const TriMesh& raw, const std::vector<std::array<std::uint32_t, 3>>&
         mesh.texture = raw.texture;
         mesh.texture_triangles.resize(num_triangles, 3);
     }
+    const std::vector<std::uint32_t>& numbers = raw.triangle_materials;
+    const bool materials = !numbers.empty() &&
+                           numbers.size() == static_cast<std::size_t>(raw.triangles.rows()) &&
+                           *std::max_element(numbers.begin(), numbers.end()) < raw.materials.size();
+    if (materials || numbers.empty()) {
+        mesh.materials = raw.materials;
+        mesh.images = raw.images;
+    }
+    if (materials) mesh.triangle_materials.resize(static_cast<std::size_t>(num_triangles));
     for (Index t = 0; t < num_triangles; ++t) {
         const std::size_t old = cleaned.triangle_to_old[static_cast<std::size_t>(t)];
         for (int k = 0; k < 3; ++k)
             mesh.triangles(t, k) = cleaned.vertex_to_new[corners[old][static_cast<std::size_t>(k)]];
+        if (materials)
+            mesh.triangle_materials[static_cast<std::size_t>(t)] = raw.triangle_materials[old];
         if (texture)
             mesh.texture_triangles.row(t) = raw.texture_triangles.row(static_cast<Index>(old));
     }

@@ -1,5 +1,5 @@
-// OFF (Geomview): [ST][C][N]OFF, ASCII with '#' comments or binary big-endian. Vertex colours and
-// texture coordinates are kept, normals and face colours stepped over.
+// OFF (Geomview): [ST][C][N]OFF, ASCII with '#' comments or binary of either byte order. Vertex
+// colours and texture coordinates are kept, normals and face colours stepped over.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -131,18 +131,29 @@ TriMesh read_ascii(TextCursor text, const OffHeader& header, const Context& cont
     return mesh.finish();
 }
 
-class BigEndianBytes {
+/// How a binary file was written: Geomview's is big-endian with the number of a face's colour
+/// components after each face; OpenMesh writes this machine's order, others leave the number out.
+struct BinaryLayout {
+    bool big_endian = true, face_colors = true;
+};
+
+class OffBytes {
   public:
-    BigEndianBytes(const char* begin, std::size_t size) : at_(begin), left_(size) {}
+    OffBytes(const char* begin, std::size_t size, bool big_endian)
+        : at_(reinterpret_cast<const unsigned char*>(begin)), left_(size), big_(big_endian) {}
     std::size_t left() const { return left_; }
     std::uint32_t u32() {
-        if (left_ < 4) fail(Status::bad_format, "the OFF file ends within its data");
-        unsigned char raw[4];
-        std::memcpy(raw, at_, 4);
-        at_ += 4;
-        left_ -= 4;
-        return std::uint32_t(raw[0]) << 24 | std::uint32_t(raw[1]) << 16 |
-               std::uint32_t(raw[2]) << 8 | std::uint32_t(raw[3]);
+        const unsigned char* p = at_;
+        skip(1);
+        return big_ ? std::uint32_t(p[0]) << 24 | std::uint32_t(p[1]) << 16 |
+                          std::uint32_t(p[2]) << 8 | std::uint32_t(p[3])
+                    : std::uint32_t(p[3]) << 24 | std::uint32_t(p[2]) << 16 |
+                          std::uint32_t(p[1]) << 8 | std::uint32_t(p[0]);
+    }
+    void skip(std::size_t words) {
+        if (left_ / 4 < words) fail(Status::bad_format, "the OFF file ends within its data");
+        at_ += 4 * words;
+        left_ -= 4 * words;
     }
     float f32() {
         const std::uint32_t bits = u32();
@@ -152,17 +163,54 @@ class BigEndianBytes {
     }
 
   private:
-    const char* at_;
+    const unsigned char* at_;
     std::size_t left_;
+    bool big_;
 };
 
-TriMesh read_binary(const TextCursor& text, const OffHeader& header, const Context& context) {
-    BigEndianBytes bytes(text.at(), text.remaining());
+std::size_t vertex_words(const OffHeader& header) {
+    return 3 + (header.normals ? 3u : 0u) + (header.colors ? 4u : 0u) + (header.texture ? 2u : 0u);
+}
+
+/// True when the file has exactly the bytes that this layout needs and its faces name vertices.
+bool fits(const TextCursor& text, const OffHeader& header, const BinaryLayout& layout) {
+    OffBytes bytes(text.at(), text.remaining(), layout.big_endian);
+    if (bytes.left() < 12) return false;
     const std::uint32_t num_vertices = bytes.u32(), num_faces = bytes.u32();
     bytes.u32();
-    const std::size_t stride =
-        12 + (header.normals ? 12u : 0u) + (header.colors ? 16u : 0u) + (header.texture ? 8u : 0u);
-    if (num_vertices > bytes.left() / stride || num_faces > bytes.left() / 8)
+    const std::size_t words = vertex_words(header);
+    if (num_vertices > bytes.left() / (4 * words) || num_faces > bytes.left() / 4) return false;
+    bytes.skip(num_vertices * words);
+    for (std::uint32_t f = 0; f < num_faces; ++f) {
+        if (bytes.left() < 4) return false;
+        const std::uint32_t length = bytes.u32();
+        if (length == 0 || length > bytes.left() / 4) return false;
+        for (std::uint32_t k = 0; k < length; ++k)
+            if (bytes.u32() >= num_vertices) return false;
+        if (!layout.face_colors) continue;
+        if (bytes.left() < 4) return false;
+        const std::uint32_t components = bytes.u32();
+        if (components > 4 || components > bytes.left() / 4) return false;
+        bytes.skip(components);
+    }
+    return bytes.left() == 0;
+}
+
+/// The first layout that fits the whole file; else the documented one, whose reading tells what is
+/// wrong (or that bytes follow the last face).
+BinaryLayout find_layout(const TextCursor& text, const OffHeader& header) {
+    for (bool face_colors : {true, false})
+        for (bool big_endian : {true, false})
+            if (fits(text, header, {big_endian, face_colors})) return {big_endian, face_colors};
+    return {};
+}
+
+TriMesh read_binary(const TextCursor& text, const OffHeader& header, const Context& context) {
+    const BinaryLayout layout = find_layout(text, header);
+    OffBytes bytes(text.at(), text.remaining(), layout.big_endian);
+    const std::uint32_t num_vertices = bytes.u32(), num_faces = bytes.u32();
+    bytes.u32();
+    if (num_vertices > bytes.left() / (4 * vertex_words(header)) || num_faces > bytes.left() / 4)
         fail_counts(num_vertices, num_faces);
     context.require_memory(std::size_t(num_vertices) * 44, "an OFF file's vertices");
     OffMesh mesh;
@@ -170,7 +218,7 @@ TriMesh read_binary(const TextCursor& text, const OffHeader& header, const Conte
     for (std::uint32_t v = 0; v < num_vertices; ++v) {
         if (v % kCancelInterval == 0) context.check_cancelled();
         for (int k = 0; k < 3; ++k) mesh.positions.push_back(static_cast<double>(bytes.f32()));
-        for (int k = 0; header.normals && k < 3; ++k) bytes.u32();
+        if (header.normals) bytes.skip(3);
         for (int k = 0; header.colors && k < 4; ++k) {
             const float value = bytes.f32();
             if (k < 3) mesh.colors.push_back(value);
@@ -186,7 +234,7 @@ TriMesh read_binary(const TextCursor& text, const OffHeader& header, const Conte
                     static_cast<unsigned long>(f), static_cast<unsigned long>(length));
         corners.clear();
         for (std::uint32_t k = 0; k < length; ++k) corners.push_back(bytes.u32());
-        for (std::uint32_t k = bytes.u32(); k != 0; --k) bytes.u32();  // its colour
+        if (layout.face_colors) bytes.skip(bytes.u32());
         mesh.polygons.add(corners.data(), corners.size(), nullptr);
     }
     return mesh.finish();
@@ -194,37 +242,40 @@ TriMesh read_binary(const TextCursor& text, const OffHeader& header, const Conte
 
 }  // namespace
 
-TriMesh read_off(const FileBytes& bytes, const Context& context) {
-    TextCursor text(bytes.data, bytes.data + bytes.size);
+TriMesh read_off(const Source& source, const Context& context) {
+    TextCursor text(source.bytes.data, source.bytes.data + source.bytes.size);
     const OffHeader header = parse_keyword(text);
     if (!header.binary) return read_ascii(text, header, context);
-    text.skip_line();
+    // The data begins after one line end, and may itself begin with the byte of another.
+    while (!text.at_line_end()) text.advance();
+    if (text.peek() == '\r' && text.remaining() > 1 && text.at()[1] == '\n') text.advance();
+    if (!text.at_end()) text.advance();
     return read_binary(text, header, context);
 }
 
-void write_off(AtomicFile& file, const TriMesh& mesh, const Context& context) {
+void write_off(Target& target, const TriMesh& mesh, const Context& context) {
     const bool colors = mesh.colors.rows() != 0;
     std::string out = colors ? "COFF\n" : "OFF\n";
     out +=
         std::to_string(mesh.vertices.rows()) + ' ' + std::to_string(mesh.triangles.rows()) + " 0\n";
     for (Index v = 0; v < mesh.vertices.rows(); ++v) {
         const std::size_t begin = out.size();
-        for (int k = 0; k < 3; ++k) append_number(out, mesh.vertices(v, k));
+        for (int k = 0; k < 3; ++k) append_coordinate(out, mesh.vertices(v, k));
         out.erase(begin, 1);
         if (colors) {
             for (int k = 0; k < 3; ++k) append_number(out, std::uint64_t(mesh.colors(v, k)));
             out += " 255";
         }
         out += '\n';
-        write_when_long(file, out, context);
+        write_when_long(target.file, out, context);
     }
     for (Index t = 0; t < mesh.triangles.rows(); ++t) {
         out += '3';
         for (int k = 0; k < 3; ++k) append_number(out, std::uint64_t(mesh.triangles(t, k)));
         out += '\n';
-        write_when_long(file, out, context);
+        write_when_long(target.file, out, context);
     }
-    file.write(out);
+    target.file.write(out);
 }
 
 }  // namespace mien::formats

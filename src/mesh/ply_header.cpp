@@ -11,7 +11,7 @@ constexpr std::size_t kMostElements = 64, kMostProperties = 1024;
 std::vector<std::string> split_line(TextCursor& text) {
     std::vector<std::string> words;
     for (;;) {
-        while (text.peek() == ' ' || text.peek() == '\t' || text.peek() == '\r') text.advance();
+        while (text.peek() == ' ' || text.peek() == '\t') text.advance();
         if (text.at_line_end()) break;
         const char* begin = nullptr;
         std::size_t size = 0;
@@ -48,19 +48,67 @@ bool parse_type(const std::string& word, PlyType& type) {
          what, shown_name(word).c_str());
 }
 
+/// "comment TextureFile NAME", as MeshLab writes it; the name may hold blanks.
+void take_comment(TextCursor line, PlyHeader& header) {
+    const char* word = nullptr;
+    std::size_t size = 0;
+    line.skip_blanks();
+    line.word(word, size);
+    line.skip_blanks();
+    line.word(word, size);
+    if (ply_lower_case(std::string(word, size)) != "texturefile") return;
+    line.rest_of_line(word, size);
+    if (size != 0 && header.texture_files.size() < kMostElements)
+        header.texture_files.emplace_back(word, size);
+}
+
+/// Over the end of the header's last line. Data may begin with any byte, so only what ends the
+/// other lines too is taken: a line feed after a carriage return only when the first line has both.
+void skip_last_line(TextCursor& text, bool lone_returns) {
+    while (!text.at_line_end()) text.advance();
+    if (text.at_end()) return;
+    const bool carriage_return = text.peek() == '\r';
+    text.advance();
+    if (carriage_return && !lone_returns && text.peek() == '\n') text.advance();
+}
+
+PlyProperty parse_property(const std::vector<std::string>& words, const TextCursor& text) {
+    PlyProperty property;
+    property.is_list = words[1] == "list";
+    if (property.is_list && words.size() < 5) fail_line(text, "incomplete", words[1]);
+    const std::size_t first = property.is_list ? 3 : 1;
+    if (!parse_type(words[first], property.type)) fail_line(text, "unknown type", words[first]);
+    if (property.is_list &&
+        (!parse_type(words[2], property.count_type) || property.count_type == PlyType::f32 ||
+         property.count_type == PlyType::f64))
+        fail_line(text, "a list's length cannot be", words[2]);
+    property.name = ply_lower_case(words[first + 1]);
+    return property;
+}
+
 }  // namespace
+
+std::string ply_lower_case(std::string text) {
+    for (char& c : text)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return text;
+}
 
 PlyHeader parse_ply_header(TextCursor& text) {
     PlyHeader header;
+    text.skip_space();
     std::vector<std::string> words = split_line(text);
-    if (words.size() != 1 || words[0] != "ply")
+    if (words.size() != 1 || ply_lower_case(words[0]) != "ply")
         fail(Status::bad_format, "not a PLY file: it does not begin with 'ply'");
+    const bool lone_returns = text.remaining() >= 2 && text.at()[0] == '\r' && text.at()[1] != '\n';
     bool has_format = false;
     std::size_t num_properties = 0;
     for (;;) {
         text.skip_line();
         if (text.at_end()) fail(Status::bad_format, "the PLY header has no 'end_header'");
+        const TextCursor line = text;
         words = split_line(text);
+        if (!words.empty() && words[0] == "comment") take_comment(line, header);
         if (words.empty() || words[0] == "comment" || words[0] == "obj_info") continue;
         const std::string& keyword = words[0];
         if (keyword == "end_header") break;
@@ -86,17 +134,7 @@ PlyHeader parse_ply_header(TextCursor& text) {
                 fail_line(text, "too many elements at", words[1]);
             header.elements.push_back(std::move(element));
         } else if (keyword == "property" && words.size() >= 3 && !header.elements.empty()) {
-            PlyProperty property;
-            property.is_list = words[1] == "list";
-            if (property.is_list && words.size() < 5) fail_line(text, "incomplete", words[1]);
-            const std::size_t first = property.is_list ? 3 : 1;
-            if (!parse_type(words[first], property.type))
-                fail_line(text, "unknown type", words[first]);
-            if (property.is_list &&
-                (!parse_type(words[2], property.count_type) ||
-                 property.count_type == PlyType::f32 || property.count_type == PlyType::f64))
-                fail_line(text, "a list's length cannot be", words[2]);
-            property.name = words[first + 1];
+            PlyProperty property = parse_property(words, text);
             if (++num_properties > kMostProperties)
                 fail_line(text, "too many properties at", property.name);
             header.elements.back().properties.push_back(std::move(property));
@@ -105,7 +143,7 @@ PlyHeader parse_ply_header(TextCursor& text) {
         }
     }
     if (!has_format) fail(Status::bad_format, "the PLY header has no 'format' line");
-    text.skip_line();
+    skip_last_line(text, lone_returns);
     return header;
 }
 

@@ -18,14 +18,14 @@ inline std::size_t ply_type_bytes(PlyType type) {
 }
 
 struct PlyProperty {
-    std::string name;
+    std::string name;  ///< in lower case
     PlyType type = PlyType::f32;
     bool is_list = false;
     PlyType count_type = PlyType::u8;
 };
 
 struct PlyElement {
-    std::string name;
+    std::string name;  ///< as written
     std::uint64_t count = 0;
     std::vector<PlyProperty> properties;
 };
@@ -33,7 +33,10 @@ struct PlyElement {
 struct PlyHeader {
     PlyEncoding encoding = PlyEncoding::ascii;
     std::vector<PlyElement> elements;
+    std::vector<std::string> texture_files;  ///< of the comments "TextureFile NAME", in order
 };
+
+std::string ply_lower_case(std::string text);
 
 /// Leaves the cursor at the first byte of data. Throws Status::bad_format with the line.
 PlyHeader parse_ply_header(TextCursor& text);

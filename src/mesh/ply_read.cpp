@@ -2,202 +2,134 @@
 // stepped over. Own reader because OpenMesh's prints to stderr and trusts its input's counts.
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <initializer_list>
 
 #include "base/json.hpp"
+#include "mesh/companions.hpp"
 #include "mesh/formats.hpp"
 #include "mesh/ply_header.hpp"
+#include "mesh/ply_values.hpp"
+#include "mesh/ply_vertices.hpp"
 
 namespace mien::formats {
 namespace {
 
-/// The values of the data part one by one; every read is held against the end of the file.
-class BinaryValues {
-  public:
-    BinaryValues(const char* begin, const char* end, bool big_endian)
-        : begin_(begin), at_(begin), end_(end), big_endian_(big_endian) {}
+bool is_one_of(const std::string& name, std::initializer_list<const char*> names) {
+    return std::any_of(names.begin(), names.end(), [&](const char* n) { return name == n; });
+}
 
-    double next(PlyType type) {
-        const std::size_t bytes = ply_type_bytes(type);
-        if (bytes > static_cast<std::size_t>(end_ - at_)) fail_truncated();
-        unsigned char raw[8];
-        std::memcpy(raw, at_, bytes);
-        at_ += bytes;
-        if (big_endian_) std::reverse(raw, raw + bytes);
-        switch (type) {
-            case PlyType::i8:
-                return as<std::int8_t>(raw);
-            case PlyType::u8:
-                return as<std::uint8_t>(raw);
-            case PlyType::i16:
-                return as<std::int16_t>(raw);
-            case PlyType::u16:
-                return as<std::uint16_t>(raw);
-            case PlyType::i32:
-                return as<std::int32_t>(raw);
-            case PlyType::u32:
-                return as<std::uint32_t>(raw);
-            case PlyType::f32:
-                return static_cast<double>(as<float>(raw));
-            case PlyType::f64:
-                return as<double>(raw);
+enum class ElementKind { vertices, faces, strips, other };
+
+/// The names of the properties of a face that are read; `none` where it has no such property.
+struct FaceLayout {
+    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+    std::size_t indices = none, texture = none, image = none;
+};
+
+bool is_index_list(const PlyProperty& property) {
+    return property.is_list && is_one_of(property.name, {"vertex_indices", "vertex_index"});
+}
+
+/// Names under which other programs write the same list.
+bool is_index_list_by_another_name(const PlyProperty& property) {
+    return property.is_list && property.type < PlyType::f32 &&
+           (property.name.compare(0, 4, "vert") == 0 ||
+            is_one_of(property.name, {"indices", "index", "vi", "v", "corners"}));
+}
+
+FaceLayout find_layout(const PlyElement& element, bool strips) {
+    FaceLayout layout;
+    std::string lists;
+    std::size_t num_others = 0, other = 0;
+    for (std::size_t k = 0; k < element.properties.size(); ++k) {
+        const PlyProperty& property = element.properties[k];
+        if (is_index_list(property)) {
+            layout.indices = k;
+        } else if (property.is_list && property.name == "texcoord") {
+            if (!strips) layout.texture = k;
+        } else if (!property.is_list && property.name == "texnumber") {
+            if (!strips) layout.image = k;
+        } else if (property.is_list) {
+            lists += (lists.empty() ? "'" : ", '") + shown_name(property.name) + "'";
+            if (is_index_list_by_another_name(property)) {
+                ++num_others;
+                other = k;
+            }
         }
-        return 0.0;
     }
-    void skip(PlyType type, std::uint64_t count) {
-        const std::size_t bytes = ply_type_bytes(type);
-        if (count > static_cast<std::size_t>(end_ - at_) / bytes) fail_truncated();
-        at_ += static_cast<std::size_t>(count) * bytes;
-    }
-    static std::uint64_t least_bytes(PlyType type) { return ply_type_bytes(type); }
-    /// How many values of this type may still follow.
-    std::uint64_t capacity(PlyType type) const {
-        return static_cast<std::uint64_t>(end_ - at_) / ply_type_bytes(type);
-    }
-
-  private:
-    template <typename T>
-    static T as(const unsigned char* raw) {
-        T value;
-        std::memcpy(&value, raw, sizeof value);
-        return value;
-    }
-    [[noreturn]] void fail_truncated() const {
-        fail_at(Status::bad_format, at_ - begin_, "the file ends within its data, after %lld bytes",
-                static_cast<long long>(at_ - begin_));
-    }
-
-    const char* begin_;
-    const char* at_;
-    const char* end_;
-    bool big_endian_;
-};
-
-class TextValues {
-  public:
-    explicit TextValues(const TextCursor& text) : text_(text) {}
-
-    double next(PlyType) {
-        double value = 0.0;
-        text_.skip_space();
-        if (!text_.number(value))
-            fail_at(Status::bad_format, text_.line(),
-                    text_.at_end() ? "the file ends within its data, at line %lld"
-                                   : "line %lld: not a number",
-                    static_cast<long long>(text_.line()));
-        return value;
-    }
-    void skip(PlyType type, std::uint64_t count) {
-        for (; count != 0; --count) next(type);
-    }
-    static std::uint64_t least_bytes(PlyType) { return 1; }
-    std::uint64_t capacity(PlyType) const { return text_.remaining() / 2 + 1; }
-
-  private:
-    TextCursor text_;
-};
-
-std::uint32_t to_index(double value, const char* what, std::uint64_t element) {
-    // 2^32 - 1 itself is the mark for "none".
-    if (!(value >= 0.0 && value < 4294967295.0 && value == std::floor(value)))
-        fail_at(Status::bad_format, static_cast<std::int64_t>(element), "%s %llu: %g is no index",
-                what, static_cast<unsigned long long>(element), value);
-    return static_cast<std::uint32_t>(value);
-}
-
-/// A list's length, held against what the file can still contain.
-template <typename Values>
-std::size_t read_length(Values& values, const PlyProperty& property, const char* what,
-                        std::uint64_t element) {
-    const double length = values.next(property.count_type);
-    if (!(length >= 0.0) || length != std::floor(length) ||
-        length > static_cast<double>(values.capacity(property.type)))
-        fail_at(Status::bad_format, static_cast<std::int64_t>(element),
-                "%s %llu has a list of %g values, more than the file holds", what,
-                static_cast<unsigned long long>(element), length);
-    return static_cast<std::size_t>(length);
-}
-
-template <typename Values>
-void skip_property(Values& values, const PlyProperty& property, const char* what,
-                   std::uint64_t element) {
-    if (property.is_list)
-        values.skip(property.type, read_length(values, property, what, element));
-    else
-        values.skip(property.type, 1);
-}
-
-enum VertexRole { x, y, z, red, green, blue, u, v, none };
-
-VertexRole role_of(const PlyProperty& property) {
-    static const struct {
-        const char* name;
-        VertexRole role;
-    } kNames[] = {{"x", x},
-                  {"y", y},
-                  {"z", z},
-                  {"red", red},
-                  {"green", green},
-                  {"blue", blue},
-                  {"diffuse_red", red},
-                  {"diffuse_green", green},
-                  {"diffuse_blue", blue},
-                  {"r", red},
-                  {"g", green},
-                  {"b", blue},
-                  {"s", u},
-                  {"t", v},
-                  {"u", u},
-                  {"v", v},
-                  {"texture_u", u},
-                  {"texture_v", v}};
-    if (!property.is_list)
-        for (const auto& entry : kNames)
-            if (property.name == entry.name) return entry.role;
-    return none;
+    if (layout.indices == FaceLayout::none && num_others == 1) layout.indices = other;
+    if (layout.indices == FaceLayout::none && element.count != 0)
+        fail(Status::bad_format,
+             "the PLY file's '%s' has no list 'vertex_indices', but %s: give the list of vertex "
+             "numbers this name",
+             shown_name(element.name).c_str(), lists.empty() ? "no list" : lists.c_str());
+    return layout;
 }
 
 template <typename Values>
 class PlyReader {
   public:
-    PlyReader(const PlyHeader& header, const Values& values, const Context& context)
-        : header_(header), values_(values), context_(context) {}
+    PlyReader(const PlyHeader& header, const Values& values, const Source& source,
+              const Context& context)
+        : header_(header), values_(values), source_(source), context_(context) {}
 
     TriMesh read() {
         bool has_vertices = false;
         std::size_t done = 0;
         for (const PlyElement& element : header_.elements) {
+            const ElementKind kind = kind_of(element);
             // An element without properties has no bytes, whatever its count says.
-            if (element.properties.empty() && element.name != "vertex") continue;
+            if (element.properties.empty() && kind != ElementKind::vertices) continue;
             check_count(element);
-            if (element.name == "vertex") {
+            if (kind == ElementKind::vertices) {
                 if (has_vertices) fail(Status::bad_format, "the PLY file has two vertex elements");
                 has_vertices = true;
-                read_vertices(element);
-            } else if (element.name == "face" || element.name == "tristrips") {
-                read_polygons(element, element.name == "tristrips");
+                PlyVertices vertices(element, context_);
+                vertices.read(values_, context_);
+                mesh_.vertices.swap(vertices.points);
+                mesh_.colors.swap(vertices.colors);
+                vertex_texture_.swap(vertices.texture);
+            } else if (kind == ElementKind::other) {
+                skip_element(element);
             } else {
-                for (std::uint64_t i = 0; i < element.count; ++i) {
-                    if (i % kCancelInterval == 0) context_.check_cancelled();
-                    for (const PlyProperty& property : element.properties)
-                        skip_property(values_, property, "element", i);
-                }
+                read_polygons(element, kind == ElementKind::strips);
             }
             context_.progress(Stage::reading, static_cast<double>(++done) /
                                                   static_cast<double>(header_.elements.size()));
         }
         if (!has_vertices) fail(Status::bad_format, "the PLY file has no vertex element");
-        polygons_.finish(mesh_, texture_);
+        if (plain_.rows() != 0)
+            mesh_.triangles.swap(plain_);
+        else
+            polygons_.finish(mesh_, texture_);
         // Per-vertex coordinates serve only where the faces brought none of their own.
         if (mesh_.texture_triangles.rows() == 0 && !vertex_texture_.empty()) {
             mesh_.texture = Eigen::Map<const TextureCoordinates>(vertex_texture_.data(),
                                                                  mesh_.vertices.rows(), 2);
             mesh_.texture_triangles = mesh_.triangles;
         }
+        take_images();
         return std::move(mesh_);
     }
 
   private:
+    ElementKind kind_of(const PlyElement& element) const {
+        const std::string name = ply_lower_case(element.name);
+        if (is_one_of(name, {"vertex", "vertices", "vertexes"})) return ElementKind::vertices;
+        if (is_one_of(name, {"tristrips", "tristrip"})) return ElementKind::strips;
+        const auto names_faces = [](const PlyElement& e) {
+            return is_one_of(ply_lower_case(e.name),
+                             {"face", "faces", "triangle", "triangles", "polygon", "polygons"});
+        };
+        if (names_faces(element)) return ElementKind::faces;
+        // A file without faces, but with their list in an element of another name.
+        const bool lists_vertices =
+            std::any_of(element.properties.begin(), element.properties.end(), is_index_list);
+        const bool any_faces =
+            std::any_of(header_.elements.begin(), header_.elements.end(), names_faces);
+        return lists_vertices && !any_faces ? ElementKind::faces : ElementKind::other;
+    }
+
     void check_count(const PlyElement& element) const {
         std::uint64_t least = 0;
         for (const PlyProperty& property : element.properties)
@@ -208,96 +140,46 @@ class PlyReader {
                  static_cast<unsigned long long>(element.count), shown_name(element.name).c_str());
     }
 
-    void read_vertices(const PlyElement& element) {
-        std::vector<VertexRole> roles;
-        bool found[none + 1] = {};
-        bool float_colors = false;
-        for (const PlyProperty& property : element.properties) {
-            VertexRole role = role_of(property);
-            if (found[role]) role = none;
-            roles.push_back(role);
-            if (role == none) continue;
-            found[role] = true;
-            if (role >= red && role <= blue)
-                float_colors = float_colors || property.type >= PlyType::f32;
-        }
-        if (!found[x] || !found[y] || !found[z])
-            fail(Status::bad_format, "the PLY file's vertices lack x, y or z");
-        const bool has_colors = found[red] && found[green] && found[blue];
-        const bool has_texture = found[u] && found[v];
-        for (VertexRole& role : roles)
-            if ((role >= red && role <= blue && !has_colors) || (role >= u && !has_texture))
-                role = none;
-        const std::size_t count = static_cast<std::size_t>(element.count);
-        context_.require_memory(count * (24 + (has_colors ? 15 : 0) + (has_texture ? 8 : 0)),
-                                "a mesh file's vertices");
-        mesh_.vertices.resize(static_cast<Index>(count), 3);
-        if (has_colors && !float_colors) mesh_.colors.resize(static_cast<Index>(count), 3);
-        std::vector<float> color_numbers(has_colors && float_colors ? 3 * count : 0);
-        if (has_texture) vertex_texture_.resize(2 * count);
+    void skip_property(const PlyProperty& property, const char* what, std::uint64_t element) {
+        values_.skip(property.type, property.is_list ? values_.length(property, what, element) : 1);
+    }
 
-        for (std::size_t i = 0; i < count; ++i) {
+    void skip_element(const PlyElement& element) {
+        for (std::uint64_t i = 0; i < element.count; ++i) {
             if (i % kCancelInterval == 0) context_.check_cancelled();
-            const Index row = static_cast<Index>(i);
-            for (std::size_t k = 0; k < roles.size(); ++k) {
-                const PlyProperty& property = element.properties[k];
-                const VertexRole role = roles[k];
-                if (role == none) {
-                    skip_property(values_, property, "vertex", i);
-                    continue;
-                }
-                const double value = values_.next(property.type);
-                if (role <= z) {
-                    mesh_.vertices(row, role) = value;
-                } else if (role <= blue && float_colors) {
-                    color_numbers[3 * i + static_cast<std::size_t>(role - red)] =
-                        static_cast<float>(value);
-                } else if (role <= blue) {
-                    const double byte = property.type == PlyType::u16 ? value / 257.0 : value;
-                    mesh_.colors(row, role - red) =
-                        static_cast<std::uint8_t>(byte >= 0.0 ? std::min(byte + 0.5, 255.0) : 0.0);
-                } else {
-                    vertex_texture_[2 * i + static_cast<std::size_t>(role - u)] =
-                        std::isfinite(value) ? static_cast<float>(value) : 0.0f;
-                }
-            }
+            for (const PlyProperty& property : element.properties)
+                skip_property(property, "element", i);
         }
-        if (float_colors && has_colors) mesh_.colors = colors_from_numbers(color_numbers);
     }
 
     void read_polygons(const PlyElement& element, bool strips) {
-        std::size_t index_at = element.properties.size(), texture_at = element.properties.size();
-        for (std::size_t k = 0; k < element.properties.size(); ++k) {
-            const PlyProperty& property = element.properties[k];
-            if (!property.is_list) continue;
-            if (property.name == "vertex_indices" || property.name == "vertex_index") index_at = k;
-            if (property.name == "texcoord" && !strips) texture_at = k;
-        }
+        const FaceLayout layout = find_layout(element, strips);
+        if (!strips && read_plain_triangles(element)) return;
         std::vector<std::uint32_t> corners, corner_texture;
         std::vector<float> coordinates;
+        if (!strips) polygons_.reserve(static_cast<std::size_t>(element.count));
         for (std::uint64_t i = 0; i < element.count; ++i) {
             if (i % kCancelInterval == 0) context_.check_cancelled();
             corners.clear();
             coordinates.clear();
+            std::uint32_t image = 0;
             for (std::size_t k = 0; k < element.properties.size(); ++k) {
                 const PlyProperty& property = element.properties[k];
-                if (k != index_at && k != texture_at) {
-                    skip_property(values_, property, "face", i);
-                    continue;
-                }
-                const std::size_t length = read_length(values_, property, "face", i);
-                for (std::size_t j = 0; j < length; ++j) {
-                    const double value = values_.next(property.type);
-                    if (k == texture_at)
-                        coordinates.push_back(static_cast<float>(value));
-                    else if (strips && value == -1.0)
-                        end_strip(corners);
-                    else
-                        corners.push_back(to_index(value, "face", i));
+                if (k == layout.indices) {
+                    const std::size_t length = values_.length(property, "face", i);
+                    values_.indices(property.type, length, strips, i, corners);
+                } else if (k == layout.texture) {
+                    coordinates.resize(values_.length(property, "face", i));
+                    for (float& value : coordinates)
+                        value = static_cast<float>(values_.next(property.type));
+                } else if (k == layout.image) {
+                    image = image_number(values_.next(property.type), i);
+                } else {
+                    skip_property(property, "face", i);
                 }
             }
             if (strips) {
-                end_strip(corners);
+                add_strips(corners);
                 continue;
             }
             const bool textured = !corners.empty() && coordinates.size() == 2 * corners.size();
@@ -308,40 +190,106 @@ class PlyReader {
                 texture_.insert(texture_.end(), coordinates.begin(), coordinates.end());
             }
             polygons_.add(corners.data(), corners.size(),
-                          textured ? corner_texture.data() : nullptr);
+                          textured ? corner_texture.data() : nullptr, image);
+        }
+    }
+
+    /// A file whose only polygons are triangles without anything else is copied as it is.
+    bool read_plain_triangles(const PlyElement& element) {
+        const auto has_polygons = [&](const PlyElement& e) {
+            const ElementKind kind = kind_of(e);
+            return kind == ElementKind::faces || kind == ElementKind::strips;
+        };
+        if (!Values::kBinary || element.properties.size() != 1 || element.count == 0 ||
+            std::count_if(header_.elements.begin(), header_.elements.end(), has_polygons) != 1)
+            return false;
+        context_.check_cancelled();
+        const std::size_t count = static_cast<std::size_t>(element.count);
+        plain_.resize(static_cast<Index>(count), 3);
+        if (values_.plain_triangles(element.properties[0], count, plain_.data())) return true;
+        plain_.resize(0, 3);
+        return false;
+    }
+
+    /// The material of a face: one per texture file, and one without an image for -1.
+    std::uint32_t image_number(double value, std::uint64_t face) {
+        const std::size_t count = header_.texture_files.size();
+        if (count == 0) return 0;
+        if (value == -1.0) {
+            any_without_image_ = true;
+            return static_cast<std::uint32_t>(count);
+        }
+        if (!(value >= 0.0 && value < static_cast<double>(count)) || value != std::floor(value))
+            fail_at(Status::bad_format, static_cast<std::int64_t>(face),
+                    "face %llu names texture %g, the header has %zu 'comment TextureFile'",
+                    static_cast<unsigned long long>(face), value, count);
+        return static_cast<std::uint32_t>(value);
+    }
+
+    void take_images() {
+        if (mesh_.texture_triangles.rows() == 0) {
+            mesh_.triangle_materials.clear();
+            return;
+        }
+        KnownImages known;
+        for (const std::string& name : header_.texture_files) {
+            Material material;
+            material.name = stem_of(shown_name(last_part(name)));
+            material.image = add_companion_image(mesh_, source_, name, known, context_);
+            mesh_.materials.push_back(std::move(material));
+        }
+        if (any_without_image_) mesh_.materials.emplace_back();
+    }
+
+    void add_strips(const std::vector<std::uint32_t>& numbers) {
+        auto begin = numbers.begin();
+        while (begin != numbers.end()) {
+            const auto end = std::find(begin, numbers.end(), kStripEnd);
+            add_strip(&*begin, static_cast<std::size_t>(end - begin));
+            begin = end == numbers.end() ? end : end + 1;
         }
     }
 
     /// Every second triangle of a strip runs the other way round.
-    void end_strip(std::vector<std::uint32_t>& corners) {
-        for (std::size_t k = 2; k < corners.size(); ++k) {
+    void add_strip(const std::uint32_t* corners, std::size_t count) {
+        for (std::size_t k = 2; k < count; ++k) {
             const std::uint32_t triangle[3] = {corners[k - (k % 2 == 0 ? 2 : 1)],
                                                corners[k - (k % 2 == 0 ? 1 : 2)], corners[k]};
             const bool stitch = triangle[0] == triangle[1] || triangle[1] == triangle[2] ||
                                 triangle[0] == triangle[2];
-            if (!stitch) polygons_.add(triangle, 3, nullptr);
+            if (!stitch) polygons_.add(triangle, 3, nullptr, 0);
         }
-        corners.clear();
     }
 
     const PlyHeader& header_;
     Values values_;
+    const Source& source_;
     const Context& context_;
     TriMesh mesh_;
     PolygonSink polygons_;
+    Triangles plain_;
     std::vector<float> texture_, vertex_texture_;
+    bool any_without_image_ = false;
 };
+
+bool is_little_endian_machine() {
+    const std::uint16_t one = 1;
+    unsigned char first;
+    std::memcpy(&first, &one, 1);
+    return first == 1;
+}
 
 }  // namespace
 
-TriMesh read_ply(const FileBytes& bytes, const Context& context) {
-    TextCursor text(bytes.data, bytes.data + bytes.size);
+TriMesh read_ply(const Source& source, const Context& context) {
+    const char* end = source.bytes.data + source.bytes.size;
+    TextCursor text(source.bytes.data, end);
     const PlyHeader header = parse_ply_header(text);
     if (header.encoding == PlyEncoding::ascii)
-        return PlyReader<TextValues>(header, TextValues(text), context).read();
-    const BinaryValues values(text.at(), bytes.data + bytes.size,
-                              header.encoding == PlyEncoding::big_endian);
-    return PlyReader<BinaryValues>(header, values, context).read();
+        return PlyReader<TextValues>(header, TextValues(text), source, context).read();
+    const bool little = header.encoding == PlyEncoding::little_endian;
+    const BinaryValues values(text.at(), end, little != is_little_endian_machine());
+    return PlyReader<BinaryValues>(header, values, source, context).read();
 }
 
 }  // namespace mien::formats

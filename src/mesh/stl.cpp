@@ -43,21 +43,29 @@ TriMesh read_binary(const FileBytes& bytes, std::uint32_t count, const Context& 
 }
 
 /// Only "vertex x y z" and "endloop" carry meaning; the words around them are stepped over.
+bool is_word(const char* word, std::size_t size, const char* expected) {
+    if (size != std::strlen(expected)) return false;
+    for (std::size_t k = 0; k < size; ++k)
+        if ((word[k] | 0x20) != expected[k]) return false;
+    return true;
+}
+
+/// A word of a facet's normal, which is not used: a number, or what a program writes for none.
+bool may_be_number(const char* word, std::size_t size) {
+    return (*word >= '0' && *word <= '9') || *word == '-' || *word == '+' || *word == '.' ||
+           (size >= 3 && (is_word(word, 3, "nan") || is_word(word, 3, "inf")));
+}
+
 TriMesh read_ascii(const FileBytes& bytes, const Context& context) {
     TextCursor text(bytes.data, bytes.data + bytes.size);
     std::vector<double> corners, loop;
-    auto is = [](const char* word, std::size_t size, const char* expected) {
-        if (size != std::strlen(expected)) return false;
-        for (std::size_t k = 0; k < size; ++k)
-            if ((word[k] | 0x20) != expected[k]) return false;
-        return true;
-    };
     auto fail_line = [&](const char* what) {
         fail_at(Status::bad_format, text.line(), "line %lld: %s",
                 static_cast<long long>(text.line()), what);
     };
     bool complete = false, in_loop = false;
     std::size_t words = 0;
+    text.skip_space();
     text.skip_line();  // "solid" and a name of any words
     for (;;) {
         if (words++ % kCancelInterval == 0) context.check_cancelled();
@@ -67,7 +75,7 @@ TriMesh read_ascii(const FileBytes& bytes, const Context& context) {
         std::size_t size = 0;
         text.word(word, size);
         if (size == 0) fail_line("a control character in an ASCII STL file");
-        if (is(word, size, "vertex")) {
+        if (is_word(word, size, "vertex")) {
             if (!in_loop) fail_line("a vertex outside of a loop");
             for (int k = 0; k < 3; ++k) {
                 double value = 0.0;
@@ -75,10 +83,10 @@ TriMesh read_ascii(const FileBytes& bytes, const Context& context) {
                 if (!text.number(value)) fail_line("a vertex needs three numbers");
                 loop.push_back(value);
             }
-        } else if (is(word, size, "loop")) {
+        } else if (is_word(word, size, "loop")) {
             in_loop = true;
             loop.clear();
-        } else if (is(word, size, "endloop")) {
+        } else if (is_word(word, size, "endloop")) {
             if (!in_loop || loop.size() < 9) fail_line("a loop of fewer than three vertices");
             for (std::size_t k = 6; k < loop.size(); k += 3)
                 for (std::size_t corner : {std::size_t(0), k - 3, k})
@@ -86,14 +94,13 @@ TriMesh read_ascii(const FileBytes& bytes, const Context& context) {
                                    loop.begin() + static_cast<std::ptrdiff_t>(corner),
                                    loop.begin() + static_cast<std::ptrdiff_t>(corner + 3));
             in_loop = false;
-        } else if (is(word, size, "endsolid") || is(word, size, "solid")) {
-            complete = is(word, size, "endsolid");
+        } else if (is_word(word, size, "endsolid") || is_word(word, size, "solid")) {
+            complete = is_word(word, size, "endsolid");
             text.skip_line();
-        } else if (is(word, size, "facet") || is(word, size, "normal") || is(word, size, "outer") ||
-                   is(word, size, "endfacet")) {
+        } else if (is_word(word, size, "facet") || is_word(word, size, "normal") ||
+                   is_word(word, size, "outer") || is_word(word, size, "endfacet")) {
             // Structure without information.
-        } else if (in_loop || !((*word >= '0' && *word <= '9') || *word == '-' || *word == '+' ||
-                                *word == '.' || is(word, size, "nan") || is(word, size, "inf"))) {
+        } else if (in_loop || !may_be_number(word, size)) {
             fail_line("an unknown word in an ASCII STL file");
         }
     }
@@ -105,23 +112,56 @@ TriMesh read_ascii(const FileBytes& bytes, const Context& context) {
 
 }  // namespace
 
-TriMesh read_stl(const FileBytes& bytes, const Context& context) {
+bool is_exact_binary_stl(const char* data, std::size_t size) {
+    if (size < kHeaderBytes) return false;
     std::uint32_t count = 0;
-    if (bytes.size >= kHeaderBytes) std::memcpy(&count, bytes.data + 80, 4);
-    const bool exact = bytes.size >= kHeaderBytes &&
-                       (bytes.size - kHeaderBytes) == std::uint64_t(count) * kTriangleBytes;
+    std::memcpy(&count, data + 80, 4);
+    return size - kHeaderBytes == std::uint64_t(count) * kTriangleBytes;
+}
+
+bool is_ascii_stl(const char* data, std::size_t size) {
+    constexpr std::size_t kLookedAt = 4096;
+    const char* end = data + (size < kLookedAt ? size : kLookedAt);
+    if (std::memchr(data, '\0', static_cast<std::size_t>(end - data)) != nullptr) return false;
+    TextCursor text(data, end);
+    text.skip_space();
+    const char* word = nullptr;
+    std::size_t length = 0;
+    text.word(word, length);
+    if (!is_word(word, length, "solid")) return false;
+    for (text.skip_line(), text.skip_space(); !text.at_end(); text.skip_space()) {
+        text.word(word, length);
+        if (length == 0) return false;
+        if (is_word(word, length, "facet") || is_word(word, length, "endsolid")) return true;
+    }
+    return false;
+}
+
+TriMesh read_stl(const Source& source, const Context& context) {
+    const FileBytes& bytes = source.bytes;
+    TextCursor text(bytes.data, bytes.data + bytes.size);
+    text.skip_space();
+    const char* word = nullptr;
+    std::size_t length = 0;
+    text.word(word, length);
     const std::size_t looked_at = bytes.size < 1024 ? bytes.size : std::size_t(1024);
-    const bool text = bytes.size >= 5 && std::memcmp(bytes.data, "solid", 5) == 0 &&
-                      std::memchr(bytes.data, '\0', looked_at) == nullptr;
-    if (!exact && text) return read_ascii(bytes, context);
+    const bool is_text =
+        is_word(word, length, "solid") && std::memchr(bytes.data, '\0', looked_at) == nullptr;
+    if (is_text && !is_exact_binary_stl(bytes.data, bytes.size)) return read_ascii(bytes, context);
     if (bytes.size < kHeaderBytes)
         fail(Status::bad_format, "not an STL file: no 'solid', and %zu bytes are no header",
              bytes.size);
+    std::uint32_t count = 0;
+    std::memcpy(&count, bytes.data + 80, 4);
     return read_binary(bytes, count, context);
 }
 
-void write_stl(AtomicFile& file, const TriMesh& mesh, const Context& context) {
-    check_float_range(mesh);
+void write_stl(Target& target, const TriMesh& mesh, const Context& context) {
+    if (needs_double(mesh))
+        fail(Status::invalid_mesh,
+             "an STL file holds float32, which would move these coordinates by more than %g mm: "
+             "use PLY or OBJ, or move the mesh to the origin",
+             kCoordinateStep_mm / 2);
     if (mesh.triangles.rows() == 0)
         fail(Status::invalid_mesh, "an STL file holds triangles, the mesh has none; use PLY");
     if (static_cast<std::uint64_t>(mesh.triangles.rows()) > 0xffffffffu)
@@ -145,9 +185,9 @@ void write_stl(AtomicFile& file, const TriMesh& mesh, const Context& context) {
         }
         out.append(reinterpret_cast<const char*>(values), sizeof values);
         out.append(2, '\0');
-        write_when_long(file, out, context);
+        write_when_long(target.file, out, context);
     }
-    file.write(out);
+    target.file.write(out);
 }
 
 }  // namespace mien::formats

@@ -1,11 +1,16 @@
-// Wavefront OBJ: v with optional colour, vt, f with relative indices; polygons become fans. Groups,
-// materials, normals, lines and curves are stepped over.
+// Wavefront OBJ: v with optional colour, vt, f with relative indices, materials with their images;
+// polygons become fans. Groups, normals, lines and curves are stepped over.
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <string>
+#include <unordered_map>
 
+#include "base/json.hpp"
+#include "mesh/companions.hpp"
 #include "mesh/formats.hpp"
+#include "mesh/material_library.hpp"
 #include "mesh/text_cursor.hpp"
 
 namespace mien::formats {
@@ -13,10 +18,13 @@ namespace {
 
 class ObjReader {
   public:
-    ObjReader(const FileBytes& bytes, const Context& context)
-        : text_(bytes.data, bytes.data + bytes.size), size_(bytes.size), context_(context) {
+    ObjReader(const Source& source, const Context& context)
+        : text_(source.bytes.data, source.bytes.data + source.bytes.size),
+          size_(source.bytes.size),
+          source_(source),
+          context_(context) {
         // The least text of a vertex is "v 0 0 0\n": what is reserved here the file can fill.
-        positions_.reserve(3 * (bytes.size / 64));
+        positions_.reserve(3 * (size_ / 64));
     }
 
     TriMesh read() {
@@ -37,6 +45,10 @@ class ObjReader {
                 read_face();
             else if (length == 2 && word[0] == 'v' && word[1] == 't')
                 read_texture();
+            else if (is_keyword(word, length, "usemtl"))
+                use_material();
+            else if (is_keyword(word, length, "mtllib"))
+                name_libraries();
         }
         if (positions_.empty())
             fail(Status::bad_format, "not an OBJ file, or an empty one: it has no line 'v x y z'");
@@ -48,10 +60,69 @@ class ObjReader {
             mesh.colors = colors_from_numbers(colors_);
         }
         polygons_.finish(mesh, texture_);
+        take_materials(mesh);
         return mesh;
     }
 
   private:
+    static bool is_keyword(const char* word, std::size_t length, const char* keyword) {
+        return length == std::strlen(keyword) && std::memcmp(word, keyword, length) == 0;
+    }
+
+    std::string rest_of_line() {
+        const char* begin = nullptr;
+        std::size_t size = 0;
+        text_.rest_of_line(begin, size);
+        return std::string(begin, size);
+    }
+
+    /// Materials are numbered as they are first used; faces before the first have one without name.
+    void use_material() {
+        const std::string name = rest_of_line();
+        if (material_names_.empty() && polygons_.any()) number_of_material(std::string());
+        material_ = number_of_material(name);
+    }
+
+    std::uint32_t number_of_material(const std::string& name) {
+        const auto known = material_numbers_.find(name);
+        if (known != material_numbers_.end()) return known->second;
+        const auto number = static_cast<std::uint32_t>(material_names_.size());
+        material_numbers_.emplace(name, number);
+        material_names_.push_back(name);
+        return number;
+    }
+
+    void name_libraries() {
+        const std::string rest = rest_of_line();
+        if (!rest.empty() && libraries_.size() < kMostLibraries) libraries_.push_back(rest);
+    }
+
+    /// What the libraries say of the materials that the faces use.
+    void take_materials(TriMesh& mesh) const {
+        if (mesh.triangles.rows() == 0) return;
+        std::vector<LibraryMaterial> known;
+        for (const std::string& library : libraries_)
+            read_material_library(source_, library, known, context_);
+        // A file that uses no material of its library is meant to use its only one.
+        std::vector<std::string> names = material_names_;
+        if (names.empty() && known.size() == 1) names.push_back(known[0].name);
+        KnownImages images;
+        for (const std::string& name : names) {
+            Material material;
+            material.name = is_utf8(name) ? name : shown_name(name);
+            for (const LibraryMaterial& entry : known) {
+                if (entry.name != name) continue;
+                material.color = entry.color;
+                if (!entry.image.empty())
+                    material.image =
+                        add_companion_image(mesh, source_, entry.image, images, context_);
+                break;
+            }
+            mesh.materials.push_back(std::move(material));
+        }
+        if (mesh.materials.empty()) mesh.triangle_materials.clear();
+    }
+
     [[noreturn]] void fail_line(const char* what) const {
         fail_at(Status::bad_format, text_.line(), "line %lld: %s",
                 static_cast<long long>(text_.line()), what);
@@ -115,13 +186,19 @@ class ObjReader {
             textured = textured && texture != kNoTexture;
             corner_texture_.push_back(texture);
         }
-        polygons_.add(corners_.data(), corners_.size(),
-                      textured ? corner_texture_.data() : nullptr);
+        polygons_.add(corners_.data(), corners_.size(), textured ? corner_texture_.data() : nullptr,
+                      material_);
     }
+
+    static constexpr std::size_t kMostLibraries = 64;
 
     TextCursor text_;
     std::size_t size_;
+    const Source& source_;
     const Context& context_;
+    std::vector<std::string> libraries_, material_names_;
+    std::unordered_map<std::string, std::uint32_t> material_numbers_;
+    std::uint32_t material_ = 0;
     std::vector<double> positions_;
     std::vector<float> colors_, texture_;
     std::vector<std::uint32_t> corners_, corner_texture_;
@@ -130,41 +207,8 @@ class ObjReader {
 
 }  // namespace
 
-TriMesh read_obj(const FileBytes& bytes, const Context& context) {
-    return ObjReader(bytes, context).read();
-}
-
-void write_obj(AtomicFile& file, const TriMesh& mesh, const Context& context) {
-    std::string out = "# millimetres\n";
-    const bool colors = mesh.colors.rows() != 0, texture = mesh.texture_triangles.rows() != 0;
-    for (Index v = 0; v < mesh.vertices.rows(); ++v) {
-        out += 'v';
-        for (int k = 0; k < 3; ++k) append_number(out, mesh.vertices(v, k));
-        // Six digits bring every byte back.
-        if (colors)
-            for (int k = 0; k < 3; ++k) append_number(out, mesh.colors(v, k) / 255.0, 6);
-        out += '\n';
-        write_when_long(file, out, context);
-    }
-    for (Index t = 0; texture && t < mesh.texture.rows(); ++t) {
-        out += "vt";
-        for (int k = 0; k < 2; ++k) append_number(out, static_cast<double>(mesh.texture(t, k)));
-        out += '\n';
-        write_when_long(file, out, context);
-    }
-    for (Index t = 0; t < mesh.triangles.rows(); ++t) {
-        out += 'f';
-        for (int k = 0; k < 3; ++k) {
-            append_number(out, std::uint64_t(mesh.triangles(t, k)) + 1);
-            if (!texture) continue;
-            const std::size_t blank = out.size();
-            append_number(out, std::uint64_t(mesh.texture_triangles(t, k)) + 1);
-            out[blank] = '/';
-        }
-        out += '\n';
-        write_when_long(file, out, context);
-    }
-    file.write(out);
+TriMesh read_obj(const Source& source, const Context& context) {
+    return ObjReader(source, context).read();
 }
 
 }  // namespace mien::formats

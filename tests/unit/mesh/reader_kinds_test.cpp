@@ -1,0 +1,248 @@
+// What programs and systems do to mesh files, by kind: marks before the text, other line ends,
+// words for undefined numbers, other names, other byte orders, names that mislead. Each of these
+// was read wrongly once, most of them without a word.
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "base/error.hpp"
+#include "mesh/mesh_file.hpp"
+#include "unit/mesh/sample_meshes.hpp"
+#include "unit/scratch.hpp"
+
+namespace {
+
+using namespace mien;
+using namespace mien::testing;
+
+TriMesh parse(const std::string& text, const char* extension) {
+    const std::vector<char> exact(text.begin(), text.end());
+    return read_mesh_memory(exact.data(), exact.size(), extension, Context());
+}
+
+std::string message_of(const std::string& text, const char* extension) {
+    try {
+        parse(text, extension);
+        return "read";
+    } catch (const Error& error) {
+        return error.what();
+    }
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+        text.replace(at, from.size(), to);
+    return text;
+}
+
+constexpr const char* kObj =
+    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+    "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n";
+constexpr const char* kPly =
+    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+    "property float z\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n"
+    "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
+constexpr const char* kOff = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
+constexpr const char* kStl =
+    "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nendloop\n"
+    "endfacet\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 1 0\nvertex 0 1 0\nendloop\n"
+    "endfacet\nendsolid s\n";
+
+struct Sample {
+    const char *extension, *text;
+};
+constexpr Sample kSamples[] = {{"obj", kObj}, {"ply", kPly}, {"off", kOff}, {"stl", kStl}};
+
+void expect_square(const TriMesh& mesh, const std::string& what) {
+    EXPECT_EQ(mesh.vertices, points_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}})) << what;
+    EXPECT_EQ(mesh.triangles, triangles_of({{0, 1, 2}, {0, 2, 3}})) << what;
+}
+
+TEST(ReaderKinds, AByteOrderMarkBeforeTheTextIsSteppedOver) {
+    for (const Sample& sample : kSamples)
+        expect_square(parse(std::string("\xef\xbb\xbf") + sample.text, sample.extension),
+                      sample.extension);
+}
+
+TEST(ReaderKinds, TextInSixteenBitUnitsOfBothByteOrdersIsRead) {
+    for (const Sample& sample : kSamples)
+        for (const bool little : {true, false}) {
+            std::string wide = little ? "\xff\xfe" : "\xfe\xff";
+            for (const char* c = sample.text; *c != '\0'; ++c)
+                wide += little ? std::string{*c, '\0'} : std::string{'\0', *c};
+            expect_square(parse(wide, sample.extension), sample.extension);
+        }
+}
+
+TEST(ReaderKinds, AnyLineEndEndsALine) {
+    for (const Sample& sample : kSamples)
+        for (const char* end : {"\r", "\r\n", "\r\r\n", "\n\n", " \r", "\t\r\n"})
+            expect_square(parse(replaced(sample.text, "\n", end), sample.extension),
+                          sample.extension);
+}
+
+TEST(ReaderKinds, LeadingBlanksAndCapitalsDoNotHideAnAsciiStl) {
+    std::string capitals = kStl;
+    for (char& c : capitals)
+        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+    for (const std::string& text :
+         {capitals, "  \n\t " + std::string(kStl), "\r\n" + capitals, replaced(kStl, "s\n", "\n")})
+        expect_square(parse(text, "stl"), text);
+}
+
+TEST(ReaderKinds, WordsForUndefinedNumbersAreNotANumberAndUnusedPointsGo) {
+    for (const char* word :
+         {"nan", "-nan", "NaN", "nan(ind)", "-nan(ind)", "-1.#IND", "1.#QNAN", "-1.#IND00",
+          "1.#QNAN0", "1.#SNAN", "1.#INF", "-1.#INF00", "inf", "1e999"}) {
+        const std::string point = std::string(word) + " 0 " + word + "\n";
+        const std::string obj = std::string("v ") + point + "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n" +
+                                "v 2 " + point + "f 2 3 4\nf 2 4 5\n";
+        expect_square(parse(obj, "obj"), word);
+        std::string ply = replaced(kPly, "vertex 4", "vertex 5");
+        ply = replaced(ply, "end_header\n", "end_header\n" + point);
+        ply = replaced(replaced(ply, "3 0 2 3", "3 1 3 4"), "3 0 1 2", "3 1 2 3");
+        expect_square(parse(ply, "ply"), word);
+        // Where a triangle uses the point nothing is dropped without a word.
+        EXPECT_NE(message_of(replaced(obj, "f 2 3 4", "f 1 3 4"), "obj").find("not finite"),
+                  std::string::npos)
+            << word;
+        // A normal that nobody uses may be anything.
+        const std::string normals =
+            replaced(replaced(kPly, "float z\n", "float z\nproperty float nx\n"), "0 0\n",
+                     "0 0 " + std::string(word) + "\n");
+        expect_square(
+            parse(replaced(replaced(normals, "1 1 0\n", "1 1 0 1\n"), "0 1 0\n", "0 1 0 1\n"),
+                  "ply"),
+            word);
+    }
+    // A comment after a number is none of these.
+    EXPECT_EQ(parse("v 1 2 3.#IN\nv 0 0 1.# x\n", "obj").vertices(1, 2), 1.0);
+    EXPECT_EQ(parse("v 1 2 3 # IND\n", "obj").vertices(0, 2), 3.0);
+}
+
+TEST(ReaderKinds, ExponentsOfFortranAreUnderstood) {
+    EXPECT_EQ(parse("v 1.5D+02 -2d-1 3.D0\n", "obj").vertices, points_of({{150, -0.2, 3}}));
+    EXPECT_EQ(message_of("v 1.5D 0 0\n", "obj").substr(0, 6), "line 1");
+}
+
+TEST(ReaderKinds, FaceListsUnderOtherNamesAreReadOrNamed) {
+    for (const char* name : {"vertices", "vertex_indexes", "vertexIndices", "VERTEX_INDICES",
+                             "verts", "indices", "vertex_index"})
+        expect_square(parse(replaced(kPly, "vertex_indices", name), "ply"), name);
+    for (const char* name : {"faces", "Face", "triangles", "polygon", "cells"})
+        expect_square(parse(replaced(kPly, "element face", std::string("element ") + name), "ply"),
+                      name);
+    const std::string odd = message_of(replaced(kPly, "vertex_indices", "my_list"), "ply");
+    EXPECT_NE(odd.find("'my_list'"), std::string::npos) << odd;
+    EXPECT_NE(odd.find("vertex_indices"), std::string::npos) << odd;
+    const std::string none =
+        message_of(replaced(replaced(kPly, "list uchar int vertex_indices",
+                                     "int a\nproperty int b\nproperty int c\nproperty int d"),
+                            "x", "x"),
+                   "ply");
+    EXPECT_NE(none.find("vertex_indices"), std::string::npos) << none;
+    // Two lists, neither by its name: not guessed.
+    const std::string two = message_of(
+        replaced(
+            replaced(kPly, "vertex_indices", "vertices\nproperty list uchar int vertex_normals"),
+            "3 0 1 2\n3 0 2 3", "3 0 1 2 0\n3 0 2 3 0"),
+        "ply");
+    EXPECT_NE(two.find("'vertices', 'vertex_normals'"), std::string::npos) << two;
+}
+
+TEST(ReaderKinds, ABinaryPlyMayHaveAHeaderOfLoneReturnsAndDataThatLooksLikeALineEnd) {
+    for (const char* end : {"\n", "\r\n", "\r"}) {
+        std::string file = replaced(
+            "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty uchar q\n"
+            "property float x\nproperty float y\nproperty float z\nend_header\n",
+            "\n", end);
+        const float values[3] = {1.f, 2.f, 3.f};
+        file += '\n';  // the value of q
+        file.append(reinterpret_cast<const char*>(values), sizeof values);
+        EXPECT_EQ(parse(file, "ply").vertices, points_of({{1, 2, 3}})) << int(end[0]);
+    }
+}
+
+std::string binary_off(bool big_endian, bool face_colors, const char* keyword = "OFF BINARY\n") {
+    std::string file = keyword;
+    auto put = [&](std::uint32_t bits) {
+        for (int k = 0; k < 4; ++k)
+            file += static_cast<char>(bits >> (big_endian ? 24 - 8 * k : 8 * k));
+    };
+    auto put_float = [&](float value) {
+        std::uint32_t bits;
+        std::memcpy(&bits, &value, 4);
+        put(bits);
+    };
+    for (std::uint32_t count : {4u, 2u, 0u}) put(count);
+    for (float value : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 1.f, 1.f, 0.f, 0.f, 1.f, 0.f})
+        put_float(value);
+    for (std::uint32_t corner : {1u, 2u}) {
+        for (std::uint32_t word : {3u, 0u, corner, corner + 1}) put(word);
+        if (face_colors) put(0);
+    }
+    return file;
+}
+
+TEST(ReaderKinds, BinaryOffOfBothByteOrdersWithAndWithoutFaceColours) {
+    for (const bool big : {true, false})
+        for (const bool colors : {true, false}) {
+            const std::string file = binary_off(big, colors);
+            expect_square(parse(file, "off"), file.substr(0, 3));
+            for (std::size_t size = 0; size < file.size(); ++size)
+                EXPECT_NE(message_of(file.substr(0, size), "off"), "read") << size;
+        }
+    expect_square(parse(binary_off(false, true, "OFF BINARY\r\n"), "off"), "returns");
+}
+
+TEST(ReaderKinds, WhatAFileHoldsDecidesWhereItsNameMisleads) {
+    std::vector<std::pair<std::string, std::string>> all;
+    for (const Sample& sample : kSamples) all.emplace_back(sample.extension, sample.text);
+    ScratchFolder folder;
+    TriMesh square = parse(kPly, "ply");
+    for (const char* name : {"b.ply", "b.stl"}) {
+        write_mesh_file(folder / name, square, Context());
+        all.emplace_back(name, read_bytes(folder / name));
+    }
+    for (const auto& file : all)
+        for (const char* extension : {"ply", "obj", "stl", "off", "txt", ""})
+            expect_square(parse(file.second, extension), file.first + " as " + extension);
+}
+
+TEST(ReaderKinds, EveryFormatOfTheTableReadsWhatItWrites) {
+    ScratchFolder folder;
+    EXPECT_GE(mesh_formats().size(), 5u);
+    for (const MeshFormat& format : mesh_formats()) {
+        if (!format.writes) continue;
+        const std::string path = folder / (std::string("m.") + format.extension);
+        write_mesh_file(path, tetrahedron(), Context());
+        const TriMesh back = read_mesh_file(path, Context());
+        EXPECT_EQ(back.vertices.rows(), 4) << format.extension;
+        EXPECT_EQ(back.triangles.rows(), 4) << format.extension;
+    }
+}
+
+TEST(ReaderKinds, CoordinatesFarFromTheOriginLoseNothing) {
+    ScratchFolder folder;
+    TriMesh far = grid(12);
+    for (Index v = 0; v < far.vertices.rows(); ++v)
+        far.vertices.row(v) =
+            (0.137 * far.vertices.row(v) + Eigen::RowVector3d(4.5e6, -2.25e6, 1e3 / 3)).eval();
+    for (const MeshFormat& format : mesh_formats()) {
+        if (!format.writes) continue;
+        const std::string path = folder / (std::string("m.") + format.extension);
+        if (std::string(format.extension) == "stl") {
+            EXPECT_THROW(write_mesh_file(path, far, Context()), Error);
+            continue;
+        }
+        write_mesh_file(path, far, Context());
+        const TriMesh back = read_mesh_file(path, Context());
+        EXPECT_LT((back.vertices - far.vertices).cwiseAbs().maxCoeff(), 1e-3) << format.extension;
+    }
+    // Near the origin files stay small.
+    write_mesh_file(folder / "near.ply", grid(12), Context());
+    EXPECT_NE(read_bytes(folder / "near.ply").find("property float x"), std::string::npos);
+    EXPECT_NE(read_bytes(folder / "m.ply").find("property double x"), std::string::npos);
+}
+
+}  // namespace
