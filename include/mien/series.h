@@ -23,7 +23,8 @@ typedef struct mien_series_options {
     const uint32_t*
         changing_vertices; /**< where the identity may change between scans; null: nowhere */
     uint64_t changing_count;
-    double expected_change_mm; /**< there; default 5 */
+    double expected_change_mm; /**< > 0, default 5; without effect since 0.2: what lies there is no
+                                  witness of the expression at all */
     mien_progress_fn progress; /**< may be null */
     void* progress_user;
     mien_cancel* cancel;     /**< may be null */
@@ -43,6 +44,7 @@ typedef struct mien_series_options {
  * @cancel no
  * @cost   O(1)
  * @since  0.1
+ * @deprecated since 0.2, use mien_study_*
  */
 MIEN_API void MIEN_CALL mien_series_options_init(mien_series_options* options, size_t struct_size);
 
@@ -61,8 +63,9 @@ MIEN_API void MIEN_CALL mien_series_options_init(mien_series_options* options, s
  * @owner  the caller releases *out with mien_series_release()
  * @thread externally synchronized by session
  * @cancel yes
- * @cost   O(K^2 #V modes), with changing vertices O(K^2 #V modes^2); K faces
+ * @cost   O(K^2 #V modes), with changing vertices or weights O(K^2 #V modes^2); K faces
  * @since  0.1
+ * @deprecated since 0.2, use mien_study_*
  */
 MIEN_API mien_status MIEN_CALL mien_neutralize_series(
     mien_session* session, const mien_expression_model* model, const mien_mesh* const* faces,
@@ -81,6 +84,7 @@ MIEN_API mien_status MIEN_CALL mien_neutralize_series(
  * @cancel no
  * @cost   O(1)
  * @since  0.1
+ * @deprecated since 0.2, use mien_study_*
  */
 MIEN_API mien_status MIEN_CALL mien_series_get_mesh(const mien_series* series, int32_t index,
                                                     mien_mesh** out, mien_error* error);
@@ -101,6 +105,7 @@ MIEN_API mien_status MIEN_CALL mien_series_get_mesh(const mien_series* series, i
  * @cancel no
  * @cost   O(count)
  * @since  0.1
+ * @deprecated since 0.2, use mien_study_*
  */
 MIEN_API mien_status MIEN_CALL mien_series_get_json(const mien_series* series, char* dst,
                                                     uint64_t capacity, uint64_t* count,
@@ -116,6 +121,7 @@ MIEN_API mien_status MIEN_CALL mien_series_get_json(const mien_series* series, c
  * @cancel no
  * @cost   O(1)
  * @since  0.1
+ * @deprecated since 0.2, use mien_study_*
  */
 MIEN_API void MIEN_CALL mien_series_release(mien_series* series);
 

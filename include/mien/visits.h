@@ -41,6 +41,7 @@ typedef struct mien_visits_options {
  * @cancel no
  * @cost   O(1)
  * @since  0.1
+ * @deprecated since 0.2, use mien_study_*
  */
 MIEN_API void MIEN_CALL mien_visits_options_init(mien_visits_options* options, size_t struct_size);
 
@@ -65,7 +66,8 @@ MIEN_API void MIEN_CALL mien_visits_options_init(mien_visits_options* options, s
  * @cancel yes
  * @cost   O(K^2 #V modes^2 / 3); K faces
  * @since  0.1
- * @source this library's own; see src/expression/visits.hpp
+ * @deprecated since 0.2, use mien_study_*
+ * @source this library's own; see src/expression/joint_fit.hpp
  */
 MIEN_API mien_status MIEN_CALL mien_neutralize_visits(
     mien_session* session, const mien_expression_model* model, const mien_mesh* const* faces,
@@ -84,6 +86,7 @@ MIEN_API mien_status MIEN_CALL mien_neutralize_visits(
  * @cancel no
  * @cost   O(1)
  * @since  0.1
+ * @deprecated since 0.2, use mien_study_*
  */
 MIEN_API mien_status MIEN_CALL mien_visits_get_mesh(const mien_visits* visits, int32_t index,
                                                     mien_mesh** out, mien_error* error);
@@ -105,6 +108,7 @@ MIEN_API mien_status MIEN_CALL mien_visits_get_mesh(const mien_visits* visits, i
  * @cancel no
  * @cost   O(count)
  * @since  0.1
+ * @deprecated since 0.2, use mien_study_*
  */
 MIEN_API mien_status MIEN_CALL mien_visits_get_expression(const mien_visits* visits, int32_t index,
                                                           char* dst, uint64_t capacity,
@@ -128,6 +132,7 @@ MIEN_API mien_status MIEN_CALL mien_visits_get_expression(const mien_visits* vis
  * @cancel no
  * @cost   O(#V modes)
  * @since  0.1
+ * @deprecated since 0.2, use mien_study_*
  */
 MIEN_API mien_status MIEN_CALL mien_visits_get_removed_volume(const mien_visits* visits,
                                                               int32_t first, int32_t second,
@@ -145,6 +150,7 @@ MIEN_API mien_status MIEN_CALL mien_visits_get_removed_volume(const mien_visits*
  * @cancel no
  * @cost   O(1)
  * @since  0.1
+ * @deprecated since 0.2, use mien_study_*
  */
 MIEN_API void MIEN_CALL mien_visits_release(mien_visits* visits);
 

@@ -166,8 +166,8 @@ FitPlan::Part plan_part(const ExpressionModel& model, const Matrix& gram, double
     part.solve = (0.5 * (part.solve + part.solve.transpose())).eval();
     const double log_det_system = 2.0 * factor.matrixLLT().diagonal().array().log().sum() -
                                   static_cast<double>(p + q) * std::log(noise);
-    const double log_det_prior = 2.0 * prior.matrixLLT().diagonal().array().log().sum();
-    part.log_offset = log_weight - 0.5 * log_det_system + 0.5 * log_det_prior -
+    part.log_det_prior = 2.0 * prior.matrixLLT().diagonal().array().log().sum();
+    part.log_offset = log_weight - 0.5 * log_det_system + 0.5 * part.log_det_prior -
                       part.mean.dot(part.gram_mean) / (2.0 * noise);
     return part;
 }

@@ -49,11 +49,12 @@ struct FaceEvidence {
 /// Factorisations that do not depend on the face, for weights of one.
 struct FitPlan {
     struct Part {
-        Matrix prior_precision;  ///< q x q
-        Matrix solve;            ///< (G + s L)^-1, symmetric
-        double log_offset = 0;   ///< everything in log e_k that does not depend on the face
-        Vector mean;             ///< p+q, zeros and the component's mean
-        Vector gram_mean;        ///< G m_k
+        Matrix prior_precision;    ///< q x q
+        Matrix solve;              ///< (G + s L)^-1, symmetric
+        double log_det_prior = 0;  ///< of prior_precision
+        double log_offset = 0;     ///< everything in log e_k that does not depend on the face
+        Vector mean;               ///< p+q, zeros and the component's mean
+        Vector gram_mean;          ///< G m_k
     };
     Matrix expression_gram;  ///< q x q, E'E of what the expression coordinates move, E = Q + P T
     Part map;

@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
-#include "expression/placed_fit.hpp"
+#include "expression/joint_fit.hpp"
 
 namespace mien {
 namespace {
@@ -158,8 +158,13 @@ NeutralizationResult neutralize(const Context& context, const ExpressionModel& m
                                 const NeutralizeOptions& options) {
     context.progress(Stage::neutralizing, 0.0);
     const Index n = model.num_vertices();
-    check_face(model, vertices, weights);
-    PlacedFit placed = place_and_fit(context, model, vertices, weights, options.fit, options.pose);
+    JointFitOptions single;
+    single.fit = options.fit;
+    single.pose = options.pose;
+    single.noise = JointNoise::isotropic;
+    single.treated = options.treated;
+    PlacedFit placed =
+        std::move(fit_faces(context, model, {{vertices, weights}}, single).alone.front());
     FitResult& fit = placed.fit;
     const Similarity& to_model = placed.to_model;
 

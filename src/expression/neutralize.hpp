@@ -1,5 +1,6 @@
 // The neutral face of a face (J 4.15): fit identity and expression, take the expression's
 // displacement away, and keep everything that the model does not explain:  neutral = v - Q b.
+// The joint fit (joint_fit.hpp) of one face.
 #pragma once
 
 #include <string>
@@ -8,6 +9,7 @@
 #include "base/context.hpp"
 #include "expression/expression_model.hpp"
 #include "expression/fit.hpp"
+#include "expression/joint_fit.hpp"
 #include "expression/placed_fit.hpp"
 
 namespace mien {
@@ -16,6 +18,9 @@ struct NeutralizeOptions {
     FitOptions fit;
     Pose pose = Pose::automatic;
     bool uncertainty = false;  ///< compute the deviation per vertex
+    /// Vertices where the person may have changed (a treated zone): no witness of the expression,
+    /// which there is what it is elsewhere.
+    std::vector<std::uint32_t> treated;
 };
 
 struct NeutralizationResult {

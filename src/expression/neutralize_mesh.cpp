@@ -83,6 +83,20 @@ Vector weights_before_rim(const ExpressionModel& model, const TriMesh& mesh,
     return weights.head(model.num_vertices());
 }
 
+/// Without what lies behind the rim: no expression reaches there.
+std::vector<std::uint32_t> treated_before_rim(const ExpressionModel& model,
+                                              const std::vector<std::uint32_t>& treated,
+                                              Index num_vertices) {
+    std::vector<std::uint32_t> kept;
+    for (const std::uint32_t vertex : treated) {
+        if (vertex >= static_cast<std::uint64_t>(num_vertices))
+            fail(Status::mismatch, "the treated zone names vertex %u of %lld", vertex,
+                 static_cast<long long>(num_vertices));
+        if (vertex < static_cast<std::uint64_t>(model.num_vertices())) kept.push_back(vertex);
+    }
+    return kept;
+}
+
 /// The mesh with its first vertices replaced and the others following them.
 Points carried(const PointsRef& vertices, const TrianglesRef& triangles, const Points& first,
                double decay_mm) {
@@ -98,9 +112,10 @@ NeutralizationResult neutralize_mesh(const Context& context, const ExpressionMod
     const Index n = model.num_vertices(), all = mesh.vertices.rows();
     if (require_match(model, mesh) == TopologyMatch::same)
         return neutralize(context, model, mesh.vertices, weights, options.neutralize);
-    NeutralizationResult result =
-        neutralize(context, model, mesh.vertices.topRows(n),
-                   weights_before_rim(model, mesh, weights), options.neutralize);
+    NeutralizeOptions before_rim = options.neutralize;
+    before_rim.treated = treated_before_rim(model, before_rim.treated, all);
+    NeutralizationResult result = neutralize(context, model, mesh.vertices.topRows(n),
+                                             weights_before_rim(model, mesh, weights), before_rim);
     result.neutral_vertices =
         carried(mesh.vertices, mesh.triangles, result.neutral_vertices, options.decay_mm);
     if (result.uncertainty_mm.size() != 0) {
@@ -111,47 +126,32 @@ NeutralizationResult neutralize_mesh(const Context& context, const ExpressionMod
     return result;
 }
 
-SeriesResult neutralize_series_meshes(const Context& context, const ExpressionModel& model,
-                                      const std::vector<std::shared_ptr<const TriMesh>>& meshes,
-                                      const std::vector<Vector>& weights, SeriesOptions options,
-                                      double decay_mm) {
-    if (meshes.empty()) fail(Status::invalid_argument, "a series needs at least one scan");
+VisitsResult neutralize_visit_meshes(const Context& context, const ExpressionModel& model,
+                                     const std::vector<std::shared_ptr<const TriMesh>>& meshes,
+                                     const std::vector<Vector>& weights, VisitsOptions options,
+                                     double decay_mm) {
+    if (meshes.empty()) fail(Status::invalid_argument, "there is no face to neutralize");
     if (!weights.empty() && weights.size() != meshes.size())
-        fail(Status::mismatch, "weights of %zu faces for a series of %zu", weights.size(),
-             meshes.size());
-    const Index n = model.num_vertices();
-    std::vector<SeriesScan> scans;
-    bool larger = false;
+        fail(Status::mismatch, "weights of %zu faces for %zu faces", weights.size(), meshes.size());
+    const Index n = model.num_vertices(), all = meshes[0]->vertices.rows();
+    std::vector<VisitFace> faces;
     for (std::size_t k = 0; k < meshes.size(); ++k) {
         const TriMesh& mesh = *meshes[k];
-        larger = require_match(model, mesh) == TopologyMatch::prefix;
-        if (mesh.vertices.rows() != meshes[0]->vertices.rows())
-            fail(Status::mismatch, "face %zu of the series has %lld vertices, the first one %lld",
-                 k, static_cast<long long>(mesh.vertices.rows()),
-                 static_cast<long long>(meshes[0]->vertices.rows()));
-        scans.push_back({mesh.vertices.topRows(n),
+        require_match(model, mesh);
+        if (mesh.vertices.rows() != all)
+            fail(Status::mismatch, "face %zu has %lld vertices, the first one %lld", k,
+                 static_cast<long long>(mesh.vertices.rows()), static_cast<long long>(all));
+        faces.push_back({mesh.vertices.topRows(n),
                          weights.empty() ? Vector() : weights_before_rim(model, mesh, weights[k])});
     }
-    for (std::uint32_t vertex : options.changing_zone)
-        if (vertex >= static_cast<std::uint64_t>(meshes[0]->vertices.rows()))
-            fail(Status::invalid_argument, "the changing zone names vertex %u of %lld", vertex,
-                 static_cast<long long>(meshes[0]->vertices.rows()));
-    if (larger) {
-        auto& zone = options.changing_zone;
-        zone.erase(std::remove_if(zone.begin(), zone.end(),
-                                  [n](std::uint32_t vertex) {
-                                      return vertex >= static_cast<std::uint64_t>(n);
-                                  }),
-                   zone.end());
-    }
-    SeriesResult result = neutralize_series(context, model, scans, options);
-    if (!larger) return result;
+    options.treated = treated_before_rim(model, options.treated, all);
+    VisitsResult result = neutralize_visits(context, model, faces, options);
+    if (all == n) return result;
     for (std::size_t k = 0; k < meshes.size(); ++k)
         result.neutral_vertices[k] = carried(meshes[k]->vertices, meshes[k]->triangles,
                                              result.neutral_vertices[k], decay_mm);
     const Points first = result.poses[0].inverse().apply(PointsRef(meshes[0]->vertices));
-    result.identity_vertices =
-        carried(first, meshes[0]->triangles, result.identity_vertices, decay_mm);
+    result.shared_vertices = carried(first, meshes[0]->triangles, result.shared_vertices, decay_mm);
     return result;
 }
 

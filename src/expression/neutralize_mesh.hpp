@@ -7,7 +7,7 @@
 
 #include "base/context.hpp"
 #include "expression/neutralize.hpp"
-#include "expression/series.hpp"
+#include "expression/visits.hpp"
 #include "mesh/tri_mesh.hpp"
 
 namespace mien {
@@ -29,15 +29,15 @@ NeutralizationResult neutralize_mesh(const Context& context, const ExpressionMod
                                      const TriMesh& mesh, const Vector& weights_per_vertex,
                                      const NeutralizeMeshOptions& options);
 
-/// neutralize_series() of meshes, each in the model's topology or in a larger one that begins with
+/// neutralize_visits() of meshes, each in the model's topology or in a larger one that begins with
 /// it; all in the same one. `weights` is empty or has an entry per mesh, itself empty or with a
-/// weight per vertex of the mesh; vertices of the changing zone behind the model's rim are left
-/// out. The results have a row per vertex of the mesh; the shared face takes what lies behind the
-/// rim from the first mesh.
-SeriesResult neutralize_series_meshes(const Context& context, const ExpressionModel& model,
-                                      const std::vector<std::shared_ptr<const TriMesh>>& meshes,
-                                      const std::vector<Vector>& weights, SeriesOptions options,
-                                      double decay_mm = NeutralizeMeshOptions().decay_mm);
+/// weight per vertex of the mesh; treated vertices behind the model's rim are left out: there is no
+/// expression. The results have a row per vertex of the mesh; the shared face takes what lies
+/// behind the rim from the first mesh.
+VisitsResult neutralize_visit_meshes(const Context& context, const ExpressionModel& model,
+                                     const std::vector<std::shared_ptr<const TriMesh>>& meshes,
+                                     const std::vector<Vector>& weights, VisitsOptions options,
+                                     double decay_mm = NeutralizeMeshOptions().decay_mm);
 
 /// Extends displacements of the first rows to all vertices. Vertices that no triangle joins to a
 /// known one do not move.

@@ -176,10 +176,17 @@ class FaceFitter {
         return equations;
     }
 
+    static Eigen::LDLT<Matrix> factor_turn(const Equations& equations) {
+        Eigen::LDLT<Matrix> turn(equations.turn);
+        if (turn.info() != Eigen::Success)
+            fail(Status::no_solution, "the face's pose is not determined by what is visible");
+        return turn;
+    }
+
     /// The same evidence with every pose already weighed in.
     FaceEvidence without_pose(const Equations& equations) const {
         if (equations.cross.size() == 0) return equations.modes;
-        const Eigen::LDLT<Matrix> turn(equations.turn);
+        const Eigen::LDLT<Matrix> turn = factor_turn(equations);
         FaceEvidence evidence;
         evidence.projection =
             equations.modes.projection - equations.cross * turn.solve(equations.pull);
@@ -191,7 +198,7 @@ class FaceFitter {
 
     Vector pose_of(const Equations& equations, const Vector& coordinates) const {
         if (equations.cross.size() == 0) return Vector();
-        const Eigen::LDLT<Matrix> turn(equations.turn);
+        const Eigen::LDLT<Matrix> turn = factor_turn(equations);
         return turn.solve(equations.pull - equations.cross.transpose() * coordinates);
     }
 
@@ -247,8 +254,10 @@ class FaceFitter {
             noise * model_.identity_deviations.array().square().inverse().matrix();
         system.diagonal().tail(q) +=
             noise * model_.expression_deviations.array().square().inverse().matrix();
-        const Vector solved =
-            Eigen::LDLT<Matrix>(system).solve(model_.spill.pull_vector(evidence.projection));
+        const Eigen::LDLT<Matrix> factor(system);
+        if (factor.info() != Eigen::Success)
+            fail(Status::no_solution, "the face cannot be fitted freely: its data are damaged");
+        const Vector solved = factor.solve(model_.spill.pull_vector(evidence.projection));
         const Vector coordinates = model_.spill.along_modes(solved.head(p), solved.tail(q));
         const Vector g = pose_of(equations, coordinates);
         const Vector left = distances(moved, coordinates, g, weights);

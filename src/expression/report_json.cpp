@@ -149,7 +149,7 @@ std::string neutralization_json(const ExpressionModel& model, const Neutralizati
     return json.end_object().take();
 }
 
-std::string series_json(const ExpressionModel& model, const SeriesResult& result) {
+std::string visits_json(const ExpressionModel& model, const VisitsResult& result) {
     JsonText json;
     json.begin_object().key("faces").begin_array();
     for (std::size_t k = 0; k < result.expressions.size(); ++k) {
@@ -157,7 +157,7 @@ std::string series_json(const ExpressionModel& model, const SeriesResult& result
         if (!result.components.empty()) json.field("expression", result.components[k]);
         json.field("residual_rms_mm", result.residuals_mm[k])
             .field("distance_to_shared_mm", result.distances_mm[k])
-            .field("warnings", series_warnings(model, result, k))
+            .field("warnings", visit_warnings(model, result, k))
             .field("expression_coordinates_mm", result.expressions[k])
             .end_object();
     }

@@ -5,8 +5,8 @@
 
 #include "expression/evaluation.hpp"
 #include "expression/neutralize.hpp"
-#include "expression/series.hpp"
 #include "expression/training.hpp"
+#include "expression/visits.hpp"
 
 namespace mien {
 
@@ -18,6 +18,6 @@ std::string model_json(const ExpressionModel& model);
 std::string evaluation_json(const FaceDataset& dataset, const EvaluatedFaces& baseline,
                             const EvaluatedFaces& result, const EvaluatedFaces* against);
 std::string neutralization_json(const ExpressionModel& model, const NeutralizationResult& result);
-std::string series_json(const ExpressionModel& model, const SeriesResult& result);
+std::string visits_json(const ExpressionModel& model, const VisitsResult& result);
 
 }  // namespace mien

@@ -51,6 +51,9 @@ SampledCoordinates sample_coordinates(const ExpressionModel& model, std::uint64_
     for (const ExpressionComponent& component : model.components)
         if (component.name == expression) {
             const Eigen::LLT<Matrix> factor(component.covariance);
+            if (factor.info() != Eigen::Success)
+                fail(Status::no_solution, "the covariance of the expression '%s' is damaged",
+                     shown_name(expression).c_str());
             sample.expression =
                 component.mean + factor.matrixL() * normal.vector(model.num_expression_modes());
             return sample;

@@ -1,26 +1,11 @@
-// Faces of one person at several visits, neutralized for measuring what changed between them.
+// Neutral faces of one person, of one or several visits, from the joint fit (joint_fit.hpp).
 //
-//     v_k = mean + P a + d + E b_k + e_k,   d ~ N(0, s I) shared,   E = Q + P T,
-//     e_k ~ N(0, (s_n n n' + s_t (I - n n')) / w_k),   n the face's own normal.
-//
-// A template fitted to a scan lies on the skin to a tenth of a millimetre but slides along it by a
-// millimetre and more, otherwise at every visit; an expression that is read from where the vertices
-// went takes the slide for motion, and a slide over a moving cheek reads as a millilitre. So the
-// noise is small along the normal and large across it: what the surfaces show decides, and vertices
-// only help. d, what the identity modes miss of this person, is common to all visits, so that
-// differences between visits tell the expressions apart without it. With d integrated out the
-// visits couple at each vertex through 3 x 3 blocks
-//     C_kl = delta_kl M_k - M_k (I / s + sum_m M_m)^-1 M_l,   M_k = w_k (n n' / s_n + (I - n n') /
-//     s_t),
-// and (a, b_1 .. b_K) solve one symmetric system. Modes are smooth: every third vertex or so speaks
-// for its neighbours. Where a change is expected (the treated zone) no vertex speaks, and the
-// expression there is what it is elsewhere. Each visit's mixture component is chosen by coordinate
-// ascent on the joint evidence.
-//
-// The neutral face of visit k: the person's first neutral face with the expression b_k says where
-// each vertex should be; its foot on the fitted surface k, less the expression's displacement
-// there, is where it is. Neutral faces of one person are so in correspondence along the skin, and
-// differ by what lies between the surfaces.
+// Isotropic noise (vertices in true correspondence): neutral face k is face k less its expression's
+// displacement, vertex by vertex. Noise along the normals (templates fitted to scans, which slide
+// along the skin): the person's first neutral face with the expression b_k says where each vertex
+// should be; its foot on the fitted surface k, less the expression's displacement there, is where
+// it is. Neutral faces of one person are so in correspondence along the skin, and differ by what
+// lies between the surfaces.
 #pragma once
 
 #include <string>
@@ -28,34 +13,35 @@
 
 #include "base/context.hpp"
 #include "expression/expression_model.hpp"
-#include "expression/neutralize.hpp"
+#include "expression/joint_fit.hpp"
 
 namespace mien {
 
-struct VisitFace {
-    Points vertices;  ///< in the model's topology, finite
-    Vector weights;   ///< per vertex, >= 0: 0 where the scan had no data; empty: all one
-};
-
-struct VisitsOptions {
-    Pose pose = Pose::automatic;
-    double normal_noise_mm2 = 0.3;       ///< s_n, > 0
-    double tangential_noise_mm2 = 30.0;  ///< s_t, > 0
-    std::vector<std::uint32_t> treated;  ///< vertices where the person may have changed
-};
+using VisitFace = JointFace;
+using VisitsOptions = JointFitOptions;
 
 struct VisitsResult {
-    std::vector<Points> neutral_vertices;  ///< per visit, in the frame of its face
-    std::vector<Vector> expressions;       ///< b_k
-    std::vector<std::string> components;   ///< name of each visit's mixture component
-    std::vector<Similarity> poses;         ///< training frame -> frame of the face
-    Matrix covariance;                     ///< K q x K q, posterior of (b_1 .. b_K)
+    /// Per visit, in the frame of its face; where a face holds nothing finite, the shared face's.
+    std::vector<Points> neutral_vertices;
+    Points shared_vertices;  ///< the person's neutral face in the training's frame: mean of the
+                             ///< visits' where they have data, the model's elsewhere
+    Vector identity;         ///< a
+    std::vector<Vector> expressions;      ///< b_k
+    std::vector<std::string> components;  ///< name of each visit's mixture component; map: empty
+    std::vector<Similarity> poses;        ///< training frame -> frame of the face
+    Matrix covariance;                    ///< K q x K q, posterior of (b_1 .. b_K)
+    std::vector<double> residuals_mm;     ///< distance of each face from its own fit per vertex
+    /// Root mean square distance of each neutral face from the shared one, treated zone left out.
+    std::vector<double> distances_mm;
 };
 
-/// Throws as neutralize(); Status::invalid_argument for no face. O(K^2 #V (p+q)^2 / 3) and a system
-/// of p + K q unknowns.
+/// Throws and costs as fit_faces().
 VisitsResult neutralize_visits(const Context& context, const ExpressionModel& model,
                                const std::vector<VisitFace>& faces, const VisitsOptions& options);
+
+/// What speaks against trusting visit `k`, in sentences; empty: nothing.
+std::vector<std::string> visit_warnings(const ExpressionModel& model, const VisitsResult& result,
+                                        std::size_t k);
 
 /// What the expressions, taken off or not, add to the volume from visit `first` to visit `second`
 /// over some of the model's vertices, mL, and the posterior's deviation of it.

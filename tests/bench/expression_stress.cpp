@@ -18,8 +18,8 @@
 
 #include "base/error.hpp"
 #include "expression/evaluation.hpp"
-#include "expression/series.hpp"
 #include "expression/training.hpp"
+#include "expression/visits.hpp"
 #include "measure/volume.hpp"
 
 using namespace mien;
@@ -256,20 +256,21 @@ int main(int argc, char** argv) try {
         double alone = 0, together = 0;
         int count = 0;
         for (Index first = 0; first + 20 <= test.num_faces(); first += 20) {
-            std::vector<SeriesScan> scans;
+            std::vector<VisitFace> scans;
             Points truth;
             for (Index k :
                  {Index(1), Index(2 + (first / 20) % 5), Index(9 + (first / 20) % 4), Index(17)}) {
-                SeriesScan scan;
+                VisitFace scan;
                 test.face(first + k, scan.vertices);
                 truth = neutral_of.at(test.subject(first));
                 alone += 0.25 * mean_distance(neutralized(*model, scan.vertices, Vector()), truth);
                 scans.push_back(std::move(scan));
             }
-            SeriesOptions options;
-            options.scan_noise_share = share;
+            VisitsOptions options;
+            options.noise = JointNoise::isotropic;
+            options.face_noise_share = share;
             together += mean_distance(
-                neutralize_series(context, *model, scans, options).identity_vertices, truth);
+                neutralize_visits(context, *model, scans, options).shared_vertices, truth);
             ++count;
         }
         std::printf(

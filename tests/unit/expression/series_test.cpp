@@ -1,8 +1,9 @@
-#include "expression/series.hpp"
+#include "expression/visits.hpp"
 
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "expression/neutralize.hpp"
 #include "expression/neutralize_mesh.hpp"
 #include "expression/training.hpp"
 #include "trained_study.hpp"
@@ -14,10 +15,17 @@ using test::mean_distance;
 using test::study;
 using test::trained_model;
 
+/// Vertex by vertex, as faces in true correspondence are.
+VisitsOptions by_vertex() {
+    VisitsOptions options;
+    options.noise = JointNoise::isotropic;
+    return options;
+}
+
 TEST(Series, SharesOneIdentityAndBeatsEachScanAlone) {
     double alone = 0, together = 0;
     for (int subject = 60; subject < 68; ++subject) {
-        std::vector<SeriesScan> scans;
+        std::vector<VisitFace> scans;
         for (int expression = 1; expression < 5; ++expression) {
             scans.push_back({study().face(subject, expression), Vector()});
             alone += 0.25 * mean_distance(neutralize(Context(), trained_model<8>(),
@@ -25,8 +33,9 @@ TEST(Series, SharesOneIdentityAndBeatsEachScanAlone) {
                                               .neutral_vertices,
                                           study().neutral(subject));
         }
-        const SeriesResult result = neutralize_series(Context(), trained_model<8>(), scans, {});
-        together += mean_distance(result.identity_vertices, study().neutral(subject));
+        const VisitsResult result =
+            neutralize_visits(Context(), trained_model<8>(), scans, by_vertex());
+        together += mean_distance(result.shared_vertices, study().neutral(subject));
         ASSERT_EQ(result.neutral_vertices.size(), 4u);
         ASSERT_EQ(result.components.size(), 4u);
     }
@@ -34,45 +43,45 @@ TEST(Series, SharesOneIdentityAndBeatsEachScanAlone) {
 }
 
 TEST(Series, WeightsOfOneEqualNoWeights) {
-    std::vector<SeriesScan> plain, weighted;
+    std::vector<VisitFace> plain, weighted;
     for (int expression = 1; expression < 4; ++expression) {
         plain.push_back({study().face(61, expression), Vector()});
         weighted.push_back({study().face(61, expression), Vector::Ones(study().rest.rows())});
     }
-    const SeriesResult a = neutralize_series(Context(), trained_model<8>(), plain, {});
-    const SeriesResult b = neutralize_series(Context(), trained_model<8>(), weighted, {});
-    EXPECT_LT(mean_distance(a.identity_vertices, b.identity_vertices), 1e-3);
+    const VisitsResult a = neutralize_visits(Context(), trained_model<8>(), plain, by_vertex());
+    const VisitsResult b = neutralize_visits(Context(), trained_model<8>(), weighted, by_vertex());
+    EXPECT_LT(mean_distance(a.shared_vertices, b.shared_vertices), 1e-3);
 }
 
 TEST(Series, AChangeInTheTreatedZoneIsKept) {
     const Points before = study().face(62, 2);
     // A swelling that resembles an expression: where "open" moves the face.
     const Points swelling = study().bump(60, 20, 18, Vector3(0, -6, 2));
-    std::vector<SeriesScan> scans = {{before, Vector()},
-                                     {study().face(62, 3), Vector()},
-                                     {study().neutral(62) + swelling, Vector()}};
-    SeriesOptions options;
-    const SeriesResult plain = neutralize_series(Context(), trained_model<8>(), scans, options);
+    std::vector<VisitFace> scans = {{before, Vector()},
+                                    {study().face(62, 3), Vector()},
+                                    {study().neutral(62) + swelling, Vector()}};
+    VisitsOptions options = by_vertex();
+    const VisitsResult plain = neutralize_visits(Context(), trained_model<8>(), scans, options);
     for (Index i = 0; i < study().rest.rows(); ++i)
-        if (swelling.row(i).norm() > 0.3)
-            options.changing_zone.push_back(static_cast<std::uint32_t>(i));
-    const SeriesResult kept = neutralize_series(Context(), trained_model<8>(), scans, options);
+        if (swelling.row(i).norm() > 0.3) options.treated.push_back(static_cast<std::uint32_t>(i));
+    const VisitsResult kept = neutralize_visits(Context(), trained_model<8>(), scans, options);
     const Points truth = study().neutral(62) + swelling;
     EXPECT_LT(mean_distance(kept.neutral_vertices[2], truth),
               0.5 * mean_distance(plain.neutral_vertices[2], truth) + 0.02);
 }
 
 TEST(Series, AHoleInOneScanIsFilledFromTheOthers) {
-    std::vector<SeriesScan> scans;
+    std::vector<VisitFace> scans;
     for (int expression = 1; expression < 4; ++expression)
         scans.push_back({study().face(63, expression), Vector()});
-    SeriesScan torn{study().face(63, 4), Vector::Ones(study().rest.rows())};
+    VisitFace torn{study().face(63, 4), Vector::Ones(study().rest.rows())};
     for (Index i = 40; i < 60; ++i) {
         torn.weights[i] = 0.0;
         torn.vertices.row(i).setConstant(std::numeric_limits<double>::quiet_NaN());
     }
     scans.push_back(torn);
-    const SeriesResult result = neutralize_series(Context(), trained_model<8>(), scans, {});
+    const VisitsResult result =
+        neutralize_visits(Context(), trained_model<8>(), scans, by_vertex());
     ASSERT_TRUE(result.neutral_vertices[3].allFinite());
     const Points truth = study().neutral(63);
     EXPECT_LT(
@@ -81,15 +90,15 @@ TEST(Series, AHoleInOneScanIsFilledFromTheOthers) {
 }
 
 TEST(Series, SaysWhenAFaceIsAnotherPersons) {
-    std::vector<SeriesScan> scans = {{study().face(64, 1), Vector()},
-                                     {study().face(64, 2), Vector()},
-                                     {study().face(64, 3), Vector()}};
-    const SeriesResult same = neutralize_series(Context(), trained_model<8>(), scans, {});
+    std::vector<VisitFace> scans = {{study().face(64, 1), Vector()},
+                                    {study().face(64, 2), Vector()},
+                                    {study().face(64, 3), Vector()}};
+    const VisitsResult same = neutralize_visits(Context(), trained_model<8>(), scans, by_vertex());
     for (std::size_t k = 0; k < 3; ++k)
-        EXPECT_TRUE(series_warnings(trained_model<8>(), same, k).empty()) << k;
+        EXPECT_TRUE(visit_warnings(trained_model<8>(), same, k).empty()) << k;
     scans.push_back({study().face(65, 2), Vector()});
-    const SeriesResult mixed = neutralize_series(Context(), trained_model<8>(), scans, {});
-    EXPECT_FALSE(series_warnings(trained_model<8>(), mixed, 3).empty());
+    const VisitsResult mixed = neutralize_visits(Context(), trained_model<8>(), scans, by_vertex());
+    EXPECT_FALSE(visit_warnings(trained_model<8>(), mixed, 3).empty());
 }
 
 TEST(Series, LargerMeshesFollowBehindTheRim) {
@@ -114,11 +123,13 @@ TEST(Series, LargerMeshesFollowBehindTheRim) {
         }
         larger.push_back(collared);
     }
-    const SeriesResult a = neutralize_series_meshes(Context(), trained_model<8>(), same, {}, {});
-    const SeriesResult b = neutralize_series_meshes(Context(), trained_model<8>(), larger, {}, {});
+    const VisitsResult a =
+        neutralize_visit_meshes(Context(), trained_model<8>(), same, {}, by_vertex());
+    const VisitsResult b =
+        neutralize_visit_meshes(Context(), trained_model<8>(), larger, {}, by_vertex());
     const Index n = study().rest.rows();
     ASSERT_EQ(b.neutral_vertices[1].rows(), n + study().side);
-    ASSERT_EQ(b.identity_vertices.rows(), n + study().side);
+    ASSERT_EQ(b.shared_vertices.rows(), n + study().side);
     EXPECT_LT((a.neutral_vertices[1] - b.neutral_vertices[1].topRows(n)).cwiseAbs().maxCoeff(),
               1e-9);
     EXPECT_LT((b.neutral_vertices[1].bottomRows(study().side) -
@@ -127,24 +138,25 @@ TEST(Series, LargerMeshesFollowBehindTheRim) {
                   .norm()
                   .maxCoeff(),
               5.0);
-    EXPECT_THROW(
-        neutralize_series_meshes(Context(), trained_model<8>(), {same[0], larger[1]}, {}, {}),
-        Error);
-    EXPECT_THROW(neutralize_series_meshes(Context(), trained_model<8>(), larger, {Vector()}, {}),
+    EXPECT_THROW(neutralize_visit_meshes(Context(), trained_model<8>(), {same[0], larger[1]}, {},
+                                         by_vertex()),
                  Error);
-    EXPECT_THROW(neutralize_series_meshes(Context(), trained_model<8>(), {}, {}, {}), Error);
-    SeriesOptions wrong;
-    wrong.changing_zone = {100000};
-    EXPECT_THROW(neutralize_series_meshes(Context(), trained_model<8>(), larger, {}, wrong), Error);
+    EXPECT_THROW(
+        neutralize_visit_meshes(Context(), trained_model<8>(), larger, {Vector()}, by_vertex()),
+        Error);
+    EXPECT_THROW(neutralize_visit_meshes(Context(), trained_model<8>(), {}, {}, by_vertex()),
+                 Error);
+    VisitsOptions wrong = by_vertex();
+    wrong.treated = {100000};
+    EXPECT_THROW(neutralize_visit_meshes(Context(), trained_model<8>(), larger, {}, wrong), Error);
 }
 
 TEST(Series, RefusesNothingAndFitsWithoutAPrior) {
-    EXPECT_THROW(neutralize_series(Context(), trained_model<8>(), {}, {}), Error);
-    SeriesOptions options;
-    options.method = FitMethod::exact;
-    EXPECT_THROW(neutralize_series(Context(), trained_model<8>(), {{study().face(60, 1), Vector()}},
-                                   options),
-                 Error);
+    EXPECT_THROW(neutralize_visits(Context(), trained_model<8>(), {}, by_vertex()), Error);
+    VisitsOptions options = by_vertex();
+    options.fit.method = FitMethod::exact;
+    const VisitFace face{study().face(60, 1), Vector()};
+    EXPECT_THROW(neutralize_visits(Context(), trained_model<8>(), {face, face}, options), Error);
 }
 
 }  // namespace

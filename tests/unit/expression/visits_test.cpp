@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/error.hpp"
+#include "expression/neutralize.hpp"
 #include "geometry/normals.hpp"
 #include "trained_study.hpp"
 
