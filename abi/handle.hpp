@@ -30,6 +30,8 @@ enum class Tag : std::uint32_t {
     tuning = 0x4D530020,
     evaluation = 0x4D530010,
     visits = 0x4D530012,
+    landmarks = 0x4D530030,
+    zones = 0x4D530031,
 };
 
 /// Base of every object behind a handle. Never moved; freed by release().

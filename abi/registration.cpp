@@ -3,6 +3,7 @@
 #include "arrays.hpp"
 #include "guard.hpp"
 #include "model.hpp"
+#include "model/landmark_names.hpp"
 #include "options.hpp"
 #include "registration/report.hpp"
 #include "session.hpp"
@@ -107,6 +108,20 @@ std::vector<LandmarkPoint> read_landmarks(const mien_register_options& given) {
     return landmarks;
 }
 
+/// The landmarks under the model's own names. Those it does not know keep theirs and are reported.
+std::vector<LandmarkPoint> as_model_names(std::vector<LandmarkPoint> landmarks,
+                                          const DeformationModel& model) {
+    std::vector<Mark> marks;
+    for (const LandmarkPoint& landmark : landmarks)
+        marks.push_back({landmark.name, Mark::Where::place, landmark.point, 0});
+    const NameMatch match = match_landmark_names(model, marks);
+    require_known_landmark(model, match, marks);
+    for (std::size_t i = 0; i < landmarks.size(); ++i)
+        if (match.landmark[i] >= 0)
+            landmarks[i].name = model.landmarks[static_cast<std::size_t>(match.landmark[i])].name;
+    return landmarks;
+}
+
 }  // namespace
 
 extern "C" {
@@ -125,8 +140,9 @@ mien_status MIEN_CALL mien_register(mien_session* session, const mien_model* mod
         const DeformationModel& face = *checked(model, "model").model;
         const TriMesh& data = *checked(scan, "scan").mesh;
         const Call call(session, given.progress, given.progress_user, given.cancel);
-        return new mien_registration(
-            register_scan(face, data, read_landmarks(given), convert(given), call.context()));
+        return new mien_registration(register_scan(face, data,
+                                                   as_model_names(read_landmarks(given), face),
+                                                   convert(given), call.context()));
     });
 }
 

@@ -68,6 +68,9 @@ namespace Mien.Native
         internal const int MIEN_HEAT_NEUMANN = 1;
         internal const int MIEN_HEAT_DIRICHLET = 2;
         internal const int MIEN_HEAT_AVERAGE = 3;
+        internal const int MIEN_MARK_NOT_PICKED = 0;
+        internal const int MIEN_MARK_PLACE = 1;
+        internal const int MIEN_MARK_VERTEX = 2;
         internal const int MIEN_GROWTH_CONSTANT = 0;
         internal const int MIEN_GROWTH_LINEAR = 1;
         internal const int MIEN_GROWTH_EXPONENTIAL = 2;
@@ -585,6 +588,16 @@ namespace Mien.Native
     internal sealed class TuningHandle : Handle
     {
         protected override bool ReleaseHandle() { Functions.mien_tuning_release(handle); return true; }
+    }
+
+    internal sealed class LandmarksHandle : Handle
+    {
+        protected override bool ReleaseHandle() { Functions.mien_landmarks_release(handle); return true; }
+    }
+
+    internal sealed class ZonesHandle : Handle
+    {
+        protected override bool ReleaseHandle() { Functions.mien_zones_release(handle); return true; }
     }
 
     internal sealed class RegistrationHandle : Handle
@@ -1179,6 +1192,174 @@ namespace Mien.Native
 
 #if NET7_0_OR_GREATER
         [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_landmarks_load(SessionHandle session, byte[] path, out LandmarksHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_landmarks_load(SessionHandle session, byte[] path, out LandmarksHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_landmarks_create(ref ScanLandmark landmarks, ulong landmark_count, out LandmarksHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_landmarks_create(ref ScanLandmark landmarks, ulong landmark_count, out LandmarksHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_model_get_landmarks(ModelHandle model, out LandmarksHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_model_get_landmarks(ModelHandle model, out LandmarksHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_landmarks_match(LandmarksHandle landmarks, ModelHandle model, out LandmarksHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_landmarks_match(LandmarksHandle landmarks, ModelHandle model, out LandmarksHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_landmarks_on_mesh(LandmarksHandle landmarks, MeshHandle mesh, out LandmarksHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_landmarks_on_mesh(LandmarksHandle landmarks, MeshHandle mesh, out LandmarksHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_landmarks_save(SessionHandle session, LandmarksHandle landmarks, byte[] path, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_landmarks_save(SessionHandle session, LandmarksHandle landmarks, byte[] path, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_landmarks_get_counts(LandmarksHandle landmarks, out ulong count, out ulong picked_count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_landmarks_get_counts(LandmarksHandle landmarks, out ulong count, out ulong picked_count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_landmarks_get_name(LandmarksHandle landmarks, ulong index, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_landmarks_get_name(LandmarksHandle landmarks, ulong index, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_landmarks_get_mark(LandmarksHandle landmarks, ulong index, IntPtr where, IntPtr position, IntPtr vertex, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_landmarks_get_mark(LandmarksHandle landmarks, ulong index, IntPtr where, IntPtr position, IntPtr vertex, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_landmarks_get_json(LandmarksHandle landmarks, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_landmarks_get_json(LandmarksHandle landmarks, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_landmarks_retain(IntPtr landmarks);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_landmarks_retain(IntPtr landmarks);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_landmarks_release(IntPtr landmarks);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_landmarks_release(IntPtr landmarks);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_zones_load(SessionHandle session, byte[] path, out ZonesHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_zones_load(SessionHandle session, byte[] path, out ZonesHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_zones_create(ref Zone zones, ulong zone_count, out ZonesHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_zones_create(ref Zone zones, ulong zone_count, out ZonesHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_model_get_zones(ModelHandle model, out ZonesHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_model_get_zones(ModelHandle model, out ZonesHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_zones_save(SessionHandle session, ZonesHandle zones, byte[] path, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_zones_save(SessionHandle session, ZonesHandle zones, byte[] path, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_zones_get_count(ZonesHandle zones, out ulong count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_zones_get_count(ZonesHandle zones, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_zones_get_name(ZonesHandle zones, ulong index, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_zones_get_name(ZonesHandle zones, ulong index, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_zones_get_vertices(ZonesHandle zones, ulong index, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_zones_get_vertices(ZonesHandle zones, ulong index, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_zones_retain(IntPtr zones);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_zones_retain(IntPtr zones);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_zones_release(IntPtr zones);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_zones_release(IntPtr zones);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial void mien_register_options_init(ref RegisterOptions options, UIntPtr struct_size);
 #else
         [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
@@ -1667,6 +1848,54 @@ namespace Mien.Native
 
 #if NET7_0_OR_GREATER
         [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_mesh_inspect(SessionHandle session, MeshHandle mesh, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_inspect(SessionHandle session, MeshHandle mesh, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_mesh_clean(SessionHandle session, MeshHandle mesh, ulong min_triangles, out MeshHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_clean(SessionHandle session, MeshHandle mesh, ulong min_triangles, out MeshHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_mesh_transform(SessionHandle session, MeshHandle mesh, IntPtr matrix, out MeshHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_transform(SessionHandle session, MeshHandle mesh, IntPtr matrix, out MeshHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_mesh_turn_over(SessionHandle session, MeshHandle mesh, out MeshHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_turn_over(SessionHandle session, MeshHandle mesh, out MeshHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_mesh_decimate(SessionHandle session, MeshHandle mesh, ulong vertex_count, out MeshHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_decimate(SessionHandle session, MeshHandle mesh, ulong vertex_count, out MeshHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_mesh_check_same_unit(MeshHandle first, MeshHandle second, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_check_same_unit(MeshHandle first, MeshHandle second, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial int mien_representation_train(SessionHandle session, byte[] dataset_path, int kind, int neutral_only, out RepresentationHandle @out, ref Error error);
 #else
         [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
@@ -1871,6 +2100,14 @@ namespace Mien.Native
 #else
         [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_series_release(IntPtr series);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_template_check(SessionHandle session, MeshHandle template_mesh, IntPtr landmarks, int mirror, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_template_check(SessionHandle session, MeshHandle template_mesh, IntPtr landmarks, int mirror, IntPtr dst, ulong capacity, out ulong count, ref Error error);
 #endif
 
 #if NET7_0_OR_GREATER

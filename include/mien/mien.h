@@ -12,8 +12,10 @@
 #include "evaluation.h"
 #include "expression.h"
 #include "hierarchy.h"
+#include "landmarks.h"
 #include "measure.h"
 #include "mesh.h"
+#include "mesh_tools.h"
 #include "model.h"
 #include "neutralization.h"
 #include "registration.h"
@@ -22,6 +24,7 @@
 #include "series.h"
 #include "session.h"
 #include "spectral.h"
+#include "template_check.h"
 #include "training.h"
 #include "visits.h"
 

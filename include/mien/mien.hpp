@@ -5,7 +5,9 @@
 
 #include "detail/core.hpp"
 #include "detail/expression.hpp"
+#include "detail/landmarks.hpp"
 #include "detail/measure.hpp"
+#include "detail/mesh_tools.hpp"
 #include "detail/model.hpp"
 #include "detail/registration.hpp"
 #include "detail/score.hpp"

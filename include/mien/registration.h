@@ -2,6 +2,7 @@
 #ifndef MIEN_REGISTRATION_H
 #define MIEN_REGISTRATION_H
 
+#include "landmarks.h"
 #include "model.h"
 
 #ifdef __cplusplus
@@ -10,12 +11,6 @@ extern "C" {
 
 /** A fitted template: places, residuals, confidence, verdict. Immutable: share freely. */
 typedef struct mien_registration mien_registration;
-
-/** A named place on a scan, read in place and only during the call. */
-typedef struct mien_scan_landmark {
-    const char* name;   /**< UTF-8, not null; matched with the names stored in the model */
-    double position[3]; /**< in the scan's frame and unit */
-} mien_scan_landmark;
 
 /** How the number of deformation modes grows over the rounds (jousse-2022 2.5.2.2). */
 enum {

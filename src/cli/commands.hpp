@@ -29,13 +29,17 @@ void write_json(const std::string& path, const nlohmann::json& value);
 /// Writes a text or binary file whole; throws std::runtime_error naming the file.
 void write_file(const std::string& path, const std::string& content);
 
-/// Landmark files {"points": {name: [x, y, z]}} of a scan.
+/// The picked landmarks of a file of a scan; of any kind that the library reads.
 struct NamedPoint {
     std::string name;
     Position point;
 };
 std::vector<NamedPoint> read_landmark_points(const std::string& path);
-/// Landmark files {"vertices": {name: index}} of a template.
+/// The same of a list that was read from `path`.
+std::vector<NamedPoint> picked_points(const Landmarks& landmarks, const std::string& path);
+/// One line on stderr when a model does not know some of the landmarks.
+void warn_of_unknown_landmarks(const Landmarks& matched, const std::string& path);
+/// Landmark files of a template: vertex numbers.
 std::vector<std::pair<std::string, std::uint32_t>> read_landmark_vertices(const std::string& path);
 /// Zone files {"zones": {name: [vertex, ...]}}; `beside`: names of lists that may stand beside
 /// "zones" and are zones too.
@@ -54,9 +58,19 @@ void keep_below(std::vector<std::uint32_t>& vertices, std::uint64_t count);
 /// A progress bar on stderr when it is a terminal, else silent.
 Progress progress_bar();
 
+/// Prints what makes a mesh a bad template, draws the places when a picture is asked for, and
+/// returns the findings of mien_template_check(). An empty path: none.
+nlohmann::json print_template_check(const Session& session, const Mesh& mesh,
+                                    const std::string& path, const std::string& landmarks,
+                                    bool mirror, const std::string& picture);
+/// `mien model check`.
+void add_template_check(CLI::App& model);
+
 // One function per file of commands; main.cpp calls them all.
 void add_model_commands(CLI::App& app);
 void add_registration_commands(CLI::App& app);
+void add_mesh_commands(CLI::App& app);
+void add_landmark_commands(CLI::App& app);
 void add_training_commands(CLI::App& app);
 void add_expression_commands(CLI::App& app);
 void add_measure_commands(CLI::App& app);

@@ -108,26 +108,6 @@ void write_json(const std::string& path, const nlohmann::json& value) {
     write_file(path, value.dump(2) + "\n");
 }
 
-std::vector<NamedPoint> read_landmark_points(const std::string& path) {
-    const nlohmann::json file = read_json(path);
-    std::vector<NamedPoint> points;
-    for (const auto& [name, value] : section(file, path, "points", "{name: [x, y, z]}").items()) {
-        if (!value.is_array() || value.size() != 3 || !value[0].is_number() ||
-            !value[1].is_number() || !value[2].is_number())
-            throw std::runtime_error(path + ": landmark '" + name + "' is not [x, y, z]");
-        points.push_back({name, {value[0], value[1], value[2]}});
-    }
-    return points;
-}
-
-std::vector<std::pair<std::string, std::uint32_t>> read_landmark_vertices(const std::string& path) {
-    const nlohmann::json file = read_json(path);
-    std::vector<std::pair<std::string, std::uint32_t>> vertices;
-    for (const auto& [name, value] : section(file, path, "vertices", "{name: vertex}").items())
-        vertices.emplace_back(name, as_vertex(value, path, name));
-    return vertices;
-}
-
 std::vector<double> read_weights(const std::string& path, const char* key) {
     const nlohmann::json file = read_json(path);
     const nlohmann::json& list = file.is_object() && file.contains(key) ? file[key] : file;

@@ -11,6 +11,8 @@ int main(int argc, char** argv) {
     try {
         mien::cli::add_model_commands(app);
         mien::cli::add_registration_commands(app);
+        mien::cli::add_landmark_commands(app);
+        mien::cli::add_mesh_commands(app);
         mien::cli::add_training_commands(app);
         mien::cli::add_expression_commands(app);
         mien::cli::add_measure_commands(app);

@@ -58,7 +58,8 @@ mien_kernel parse_kernel(const std::string& text) {
 struct BuildSettings {
     Common common;
     std::string template_path, kernel = "geodesic-se", boundary = "neumann", landmarks, zones,
-                               scales, out;
+                               scales, out, check_picture;
+    bool accept_faults = false;
     std::vector<std::string> more_kernels;
     ModelSettings model;
 };
@@ -95,6 +96,13 @@ void print_info(const nlohmann::json& info) {
 void run_build(BuildSettings& settings) {
     const Session session(settings.common.num_threads);
     const Mesh mesh(session, settings.template_path);
+    const nlohmann::json findings =
+        print_template_check(session, mesh, settings.template_path, settings.landmarks,
+                             settings.model.mirror_symmetric, settings.check_picture);
+    if (findings["errors"] != 0 && !settings.accept_faults)
+        throw std::runtime_error(settings.template_path +
+                                 ": is no good template (see above); mend it, or give "
+                                 "--accept-faults");
     ModelSettings& model = settings.model;
     model.kernel = kernels().at(settings.kernel);
     model.heat_boundary = boundaries().at(settings.boundary);
@@ -103,9 +111,7 @@ void run_build(BuildSettings& settings) {
     if (!settings.landmarks.empty())
         for (auto& [name, vertex] : read_landmark_vertices(settings.landmarks))
             model.landmarks.push_back({name, vertex});
-    if (!settings.zones.empty())
-        for (auto& [name, vertices] : read_zones(settings.zones, {"lips"}))
-            model.zones.push_back({name, std::move(vertices)});
+    if (!settings.zones.empty()) model.zones = Zones(session, settings.zones).all();
     if (!settings.scales.empty()) model.scale_per_vertex = read_values(settings.scales);
     model.progress = progress_bar();
     const Model built = Model::build(session, mesh, model);
@@ -155,10 +161,10 @@ void add_build(CLI::App& parent) {
         ->check(CLI::IsMember(keys(boundaries())))
         ->capture_default_str();
     command.add_option("--landmarks", settings->landmarks,
-                       "landmark vertices of the template, JSON");
+                       "landmark vertices of the template, JSON or CSV");
     command.add_option("--zones", settings->zones,
                        "zones of the template, JSON {\"zones\": {name: [vertex, ...]}}, perhaps "
-                       "with \"lips\": [vertex, ...] beside them");
+                       "with further lists beside them, such as \"lips\"");
     // A scan may show any expression, and a fit needs the small modes too: so all faces, and nearly
     // all variance.
     model.pca_all_expressions = true;
@@ -172,6 +178,10 @@ void add_build(CLI::App& parent) {
                      "all faces (the default), or the neutral ones alone");
     command.add_flag("--pca-align", model.pca_align,
                      "move each face rigidly onto the template first");
+    command.add_option("--check-picture", settings->check_picture,
+                       "PNG of the template with the places that its check complains of");
+    command.add_flag("--accept-faults", settings->accept_faults,
+                     "build although the template's check finds errors");
     command.add_option("--out", settings->out, "model file to write")->required();
     add_common_options(command, settings->common, true);
     command.footer(
@@ -354,6 +364,7 @@ void add_model_commands(CLI::App& app) {
     CLI::App& model = *app.add_subcommand("model", "deformation models: how a template may move");
     model.require_subcommand(1);
     add_build(model);
+    add_template_check(model);
     add_info(model);
     add_sample(model);
     add_tune(model);

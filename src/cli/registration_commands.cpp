@@ -35,9 +35,14 @@ void run_register(const RegisterArguments& arguments) {
     const Model model(session, arguments.model);
     const Mesh scan(session, arguments.scan);
     RegisterOptions options;
-    if (!arguments.landmarks.empty())
-        for (const NamedPoint& point : read_landmark_points(arguments.landmarks))
+    nlohmann::json landmarks;
+    if (!arguments.landmarks.empty()) {
+        const Landmarks matched = Landmarks(session, arguments.landmarks).match(model);
+        warn_of_unknown_landmarks(matched, arguments.landmarks);
+        for (const NamedPoint& point : picked_points(matched, arguments.landmarks))
             options.landmarks.push_back({point.name, point.point});
+        landmarks = nlohmann::json::parse(matched.json());
+    }
     if (arguments.weights == "skin")
         options.c.skin_weights = 1;
     else if (arguments.weights != "none")
@@ -56,6 +61,7 @@ void run_register(const RegisterArguments& arguments) {
     fit.mesh().save(session, arguments.out);
     nlohmann::json report = nlohmann::json::parse(fit.json());
     report["out"] = arguments.out;
+    if (!landmarks.is_null()) report["landmark_file"] = landmarks;
     if (!arguments.common.json_path.empty()) {
         report["residual_mm"] = fit.field(MIEN_REGISTRATION_RESIDUAL_MM);
         report["weight"] = fit.field(MIEN_REGISTRATION_WEIGHT);
@@ -126,8 +132,10 @@ void add_registration_commands(CLI::App& app) {
     auto arguments = std::make_shared<RegisterArguments>();
     command->add_option("--model", arguments->model, "deformation model")->required();
     command->add_option("--scan", arguments->scan, "PLY, OBJ, STL or OFF")->required();
-    command->add_option("--landmarks", arguments->landmarks,
-                        "JSON {\"points\": {name: [x, y, z]}}");
+    command->add_option(
+        "--landmarks", arguments->landmarks,
+        "places on the scan: JSON {\"points\": {name: [x, y, z]}}, .mrk.json, .fcsv, .pp, "
+        ".pts, .ljson, .csv");
     command->add_option("--landmark-sigma", arguments->landmark_sigma, "picking error in mm")
         ->capture_default_str();
     command

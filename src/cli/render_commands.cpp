@@ -118,8 +118,11 @@ Image beside_one_another(const Session& session, const RenderCommand& o, const M
     }
     std::vector<MeshArrays> others;
     MeshArrays all = mesh;
+    const Mesh given(session, o.mesh);
     for (const std::string& path : o.beside) {
-        others.push_back(arrays_of(Mesh(session, path)));
+        const Mesh other(session, path);
+        check_same_unit(given, other);
+        others.push_back(arrays_of(other));
         all.positions.insert(all.positions.end(), others.back().positions.begin(),
                              others.back().positions.end());
     }
@@ -140,7 +143,8 @@ Image beside_one_another(const Session& session, const RenderCommand& o, const M
 
 void run(const RenderCommand& o) {
     const Session session(o.common.num_threads);
-    MeshArrays mesh = arrays_of(Mesh(session, o.mesh));
+    const Mesh given(session, o.mesh);
+    MeshArrays mesh = arrays_of(given);
     RenderOptions options;
     options.views = o.views;
     options.size = o.size;
@@ -152,7 +156,9 @@ void run(const RenderCommand& o) {
     if (o.diverging || o.is_signed) options.color_map = ColorMap::diverging;
     if (!o.scalar.empty()) options.scalar = read_scalar(o.scalar);
     if (!o.compare.empty()) {
-        options.scalar = distances(mesh, arrays_of(Mesh(session, o.compare)), o.is_signed);
+        const Mesh other(session, o.compare);
+        check_same_unit(given, other);
+        options.scalar = distances(mesh, arrays_of(other), o.is_signed);
         if (options.label.empty())
             options.label = o.is_signed ? "signed distance, mm" : "distance, mm";
         if (std::isnan(options.low) && !o.is_signed) options.low = 0;

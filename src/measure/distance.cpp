@@ -9,6 +9,7 @@
 #include "measure/area.hpp"
 #include "measure/border.hpp"
 #include "measure/pair_check.hpp"
+#include "mesh/length_unit.hpp"
 #include "spatial/triangle_tree.hpp"
 
 namespace mien {
@@ -121,6 +122,19 @@ DistanceReport measure_distance(const PointsRef& before, const PointsRef& after,
     return report;
 }
 
+namespace {
+
+/// A patch may be measured against a whole head, but then it lies near it.
+void check_units(const TriMesh& from, const TriMesh& to, const Vector& length_mm) {
+    constexpr double kTooDifferent = 5, kNear_mm = 10, kLeastShare = 0.05;
+    const double near = static_cast<double>((length_mm.array() <= kNear_mm).count());
+    if (near < kLeastShare * static_cast<double>(length_mm.size()))
+        check_same_unit(from.vertices, "the first surface", to.vertices, "the second surface",
+                        kTooDifferent);
+}
+
+}  // namespace
+
 DistanceReport measure_surface_distance(const TriMesh& from, const TriMesh& to,
                                         const std::vector<Zone>& zones, double max_distance_mm,
                                         bool skip_borders, const Context& context) {
@@ -133,6 +147,7 @@ DistanceReport measure_surface_distance(const TriMesh& from, const TriMesh& to,
     DistanceReport report;
     Points vectors;
     measure_one_side(from, to, limit, skip_borders, report.length_mm, vectors, context);
+    check_units(from, to, report.length_mm);
     context.progress(Stage::measuring, 0.5);
     // The sign says on which side of the first surface the second one lies.
     const Points normals = vertex_normals(from.vertices, from.triangles);

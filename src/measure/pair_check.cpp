@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "mesh/length_unit.hpp"
 
 namespace mien {
 namespace {
@@ -44,6 +45,7 @@ void check_faces_in_correspondence(const PointsRef& before, const PointsRef& aft
              static_cast<long long>(before.rows()), static_cast<long long>(after.rows()));
     check_surface(before, triangles, "the before face");
     check_points(after, "the after face");
+    check_same_unit(before, "the before face", after, "the after face");
 }
 
 void check_zones(const std::vector<Zone>& zones, Index num_vertices) {

@@ -9,6 +9,7 @@
 #include "measure/area.hpp"
 #include "measure/border.hpp"
 #include "measure/pair_check.hpp"
+#include "mesh/length_unit.hpp"
 #include "spatial/triangle_tree.hpp"
 
 namespace mien {
@@ -89,12 +90,16 @@ ScanVolumeReport measure_scan_volume(const TriMesh& before, const TriMesh& after
     Triangles triangles(static_cast<Index>(kept.size()), 3);
     for (std::size_t i = 0; i < kept.size(); ++i)
         triangles.row(static_cast<Index>(i)) = before.triangles.row(kept[i]);
-    report.volume =
-        measure_volume(before.vertices, report.carried, triangles, options.zones, context);
-
     const Vector all = vertex_areas(before.vertices, before.triangles);
     const Vector used = vertex_areas(before.vertices, triangles);
     report.whole_coverage = used.sum() / all.sum();
+    constexpr double kLeastCoverage = 0.05, kTooDifferent = 5;
+    if (report.whole_coverage < kLeastCoverage)
+        check_same_unit(before.vertices, "the before surface", after.vertices, "the after surface",
+                        kTooDifferent);
+    report.volume =
+        measure_volume(before.vertices, report.carried, triangles, options.zones, context);
+
     for (const Zone& zone : options.zones) {
         const std::vector<char> inside = membership(zone.vertices, before.vertices.rows());
         double whole = 0.0, part = 0.0;

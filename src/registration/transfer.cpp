@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/json_text.hpp"
+#include "mesh/length_unit.hpp"
 
 namespace mien {
 SurfaceTransfer::SurfaceTransfer(const TriMesh& fitted, const TriMesh& scan, const Context& context)
@@ -12,6 +13,19 @@ SurfaceTransfer::SurfaceTransfer(const TriMesh& fitted, const TriMesh& scan, con
         fail(Status::invalid_mesh, "the fitted template has no triangles");
     fitted_tree_ = TriangleTree(fitted_.vertices, fitted_.triangles, context);
     scan_tree_ = TriangleTree(scan_.vertices, scan_.triangles, context);
+    check_units(context);
+}
+
+void SurfaceTransfer::check_units(const Context& context) const {
+    // A body is larger than the head fitted to it, but then the head lies on it.
+    constexpr double kTooDifferent = 5, kBeside_mm = 10, kLeastShare = 0.05;
+    std::vector<SurfaceHit> hits;
+    scan_tree_.closest(fitted_.vertices, kBeside_mm, hits, context);
+    std::size_t beside = 0;
+    for (const SurfaceHit& hit : hits) beside += hit.valid();
+    if (static_cast<double>(beside) < kLeastShare * static_cast<double>(hits.size()))
+        check_same_unit(fitted_.vertices, "the fitted template", scan_.vertices, "the scan",
+                        kTooDifferent);
 }
 
 std::vector<SurfaceHit> SurfaceTransfer::points(const PointsRef& places,

@@ -16,7 +16,8 @@ enum class TransferDirection : std::int32_t { to_scan = 0, to_template = 1 };
 /// Trees over both surfaces. Immutable; keeps copies.
 class SurfaceTransfer {
   public:
-    /// Throws Status::invalid_mesh when the template has no triangles.
+    /// Throws Status::invalid_mesh when the template has no triangles, mismatch when the two are
+    /// not in one unit.
     SurfaceTransfer(const TriMesh& fitted, const TriMesh& scan, const Context& context);
 
     /// Nearest places on the other surface; beyond max_distance_mm the hit is invalid.
@@ -34,6 +35,7 @@ class SurfaceTransfer {
     const TriMesh& scan() const { return scan_; }
 
   private:
+    void check_units(const Context& context) const;
     TriMesh fitted_, scan_;
     TriangleTree fitted_tree_, scan_tree_;
 };

@@ -13,8 +13,10 @@
 #include "fuzz/mutate.hpp"
 #include "mesh/cleaning.hpp"
 #include "mesh/dataset.hpp"
+#include "mesh/landmark_file.hpp"
 #include "mesh/mesh_file.hpp"
 #include "mesh/topology.hpp"
+#include "mesh/zone_file.hpp"
 #include "oom/fail_nth.hpp"
 #include "unit/mesh/sample_meshes.hpp"
 #include "unit/scratch.hpp"
@@ -72,6 +74,17 @@ std::vector<Seed> make_seeds() {
         for (int shift = 24; shift >= 0; shift -= 8) binary += static_cast<char>(word >> shift);
     seeds.push_back({"off", binary});
 
+    for (const char* kind : {"json", "mrk.json", "fcsv", "pp", "pts", "ljson", "csv"}) {
+        LandmarkFile marks;
+        marks.marks = {{"a", Mark::Where::place, Vector3(1.5, -2, 3e-4), 0},
+                       {"b, \"c\"", Mark::Where::not_picked, Vector3::Zero(), 0},
+                       {"68", Mark::Where::place, Vector3(4, 5, 6), 0}};
+        const std::string path = folder / (std::string("l.") + kind);
+        write_landmark_file(path, marks);
+        seeds.push_back({std::string("landmarks.") + kind, read_bytes(path)});
+    }
+    seeds.push_back({"zones", "{\"note\": 1, \"zones\": {\"a\": [1, 2]}, \"lips\": [3]}"});
+
     FaceDatasetWriter writer(tetrahedron().triangles, 4, {"neutral", "smile"});
     writer.add(tetrahedron().vertices, 0, 0);
     writer.add(tetrahedron().vertices, 1, 1);
@@ -118,6 +131,12 @@ std::string feed(const std::string& kind, const char* data, std::size_t size,
             const FaceDataset set = FaceDataset::open(path, trusting, context);
             Points face;
             set.face(set.num_faces() - 1, face);
+            ++num_read;
+        } else if (kind == "zones") {
+            parse_zones(data, size, "z.json");
+            ++num_read;
+        } else if (kind.compare(0, 10, "landmarks.") == 0) {
+            parse_landmarks(data, size, kind);
             ++num_read;
         } else {
             const TriMesh mesh = read_mesh_memory(data, size, kind, context);

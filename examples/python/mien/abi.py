@@ -61,6 +61,9 @@ MIEN_KERNEL_SURFACE_MATERN = 4
 MIEN_HEAT_NEUMANN = 1
 MIEN_HEAT_DIRICHLET = 2
 MIEN_HEAT_AVERAGE = 3
+MIEN_MARK_NOT_PICKED = 0
+MIEN_MARK_PLACE = 1
+MIEN_MARK_VERTEX = 2
 MIEN_GROWTH_CONSTANT = 0
 MIEN_GROWTH_LINEAR = 1
 MIEN_GROWTH_EXPONENTIAL = 2
@@ -609,6 +612,27 @@ SIGNATURES = {
     "mien_model_mesh": (ctypes.c_void_p, [ctypes.c_void_p]),
     "mien_model_retain": (None, [ctypes.c_void_p]),
     "mien_model_release": (None, [ctypes.c_void_p]),
+    "mien_landmarks_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_landmarks_create": (ctypes.c_int32, [ctypes.POINTER(ScanLandmark), ctypes.c_uint64, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_model_get_landmarks": (ctypes.c_int32, [ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_landmarks_match": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_landmarks_on_mesh": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_landmarks_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
+    "mien_landmarks_get_counts": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_landmarks_get_name": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_landmarks_get_mark": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_landmarks_get_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_landmarks_retain": (None, [ctypes.c_void_p]),
+    "mien_landmarks_release": (None, [ctypes.c_void_p]),
+    "mien_zones_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_zones_create": (ctypes.c_int32, [ctypes.POINTER(Zone), ctypes.c_uint64, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_model_get_zones": (ctypes.c_int32, [ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_zones_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
+    "mien_zones_get_count": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_zones_get_name": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_zones_get_vertices": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_zones_retain": (None, [ctypes.c_void_p]),
+    "mien_zones_release": (None, [ctypes.c_void_p]),
     "mien_register_options_init": (None, [ctypes.POINTER(RegisterOptions), ctypes.c_size_t]),
     "mien_register": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(RegisterOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_registration_mesh": (ctypes.c_void_p, [ctypes.c_void_p]),
@@ -670,6 +694,12 @@ SIGNATURES = {
     "mien_measurement_get_field": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
     "mien_measurement_get_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
     "mien_measurement_release": (None, [ctypes.c_void_p]),
+    "mien_mesh_inspect": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_mesh_clean": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_mesh_transform": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_mesh_turn_over": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_mesh_decimate": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_mesh_check_same_unit": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
     "mien_representation_train": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.c_int32, ctypes.c_int32, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_representation_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_representation_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
@@ -696,6 +726,7 @@ SIGNATURES = {
     "mien_series_get_mesh": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_series_get_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
     "mien_series_release": (None, [ctypes.c_void_p]),
+    "mien_template_check": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
     "mien_train_options_init": (None, [ctypes.POINTER(TrainOptions), ctypes.c_size_t]),
     "mien_expression_model_train": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(TrainOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_shard_options_init": (None, [ctypes.POINTER(ShardOptions), ctypes.c_size_t]),

@@ -43,6 +43,8 @@ constexpr Number kNumbers[] = {
     {"", "abi_version", MIEN_ABI_VERSION},
     {"", "struct_size", 4},
     {"", "capacity", std::int64_t{1} << 16},
+    {"landmarks_create", "landmark_count", 1},
+    {"zones_create", "zone_count", 1},
     {"score_model_train", "grade_count", Fixtures::kFaces},
     {"statistics_agreement", "grade_count", 4},
     {"statistics", "subject_count", 8},
@@ -84,7 +86,8 @@ std::string file_of(const std::string& function) {
     // mien_score_model_load_trusted -> abuse_score_model.safetensors
     const std::size_t end = std::min(function.rfind("_load"), function.rfind("_save"));
     const std::string kind = end == std::string::npos ? function : function.substr(5, end - 5);
-    return "abuse_" + kind + (kind == "mesh" ? ".ply" : ".safetensors");
+    const bool text = kind == "landmarks" || kind == "zones";
+    return "abuse_" + kind + (kind == "mesh" ? ".ply" : text ? ".json" : ".safetensors");
 }
 
 const char* good_text(const FunctionRow& row, const std::string& name) {
@@ -117,6 +120,8 @@ void fill_array(const std::string& name, const std::string& type,
         const auto number = static_cast<std::int32_t>(i);
         if (name == "direction")
             put(i, i == 2 ? 1.0 : 0.0);
+        else if (name == "matrix")
+            put(i, i < 16 && i % 5 == 0 ? 1.0 : 0.0);
         else if (name == "motion")
             put(i, i == 0 || i == 4 || i == 8 ? 1.0 : 0.0);
         else if (name == "ratings")
@@ -139,6 +144,13 @@ void shrink_settings(const StructRow& row, std::vector<std::uint64_t>& words) {
             if (std::strcmp(row.name, setting.structure) == 0 &&
                 std::strcmp(field.name, setting.field) == 0)
                 std::memcpy(bytes + field.offset, &setting.value, sizeof setting.value);
+    if (std::strcmp(row.name, "mien_model_options") == 0) {
+        static const mien_landmark landmark{"zone", 13, 0};  // what lists of landmarks hold, too
+        const auto* data = &landmark;
+        const std::uint64_t count = 1;
+        std::memcpy(bytes + offsetof(mien_model_options, landmarks), &data, sizeof data);
+        std::memcpy(bytes + offsetof(mien_model_options, landmark_count), &count, sizeof count);
+    }
     if (std::strcmp(row.name, "mien_tune_options") == 0) {
         static const double sigmas[] = {20, 40};
         const auto* data = sigmas;

@@ -1,0 +1,141 @@
+// Landmark and zone lists, mesh tools and the template check through the shared library.
+#include <fstream>
+
+#include "handles.hpp"
+
+namespace {
+
+using mien_test::fresh_error;
+using mien_test::Session;
+using mien_test::temporary_path;
+
+/// A sheet of 12 x 12 vertices, 110 mm wide, bulging towards +z.
+mien::Mesh sheet(const mien::Session& session) {
+    std::vector<mien::Position> positions;
+    std::vector<mien::Triangle> triangles;
+    for (std::uint32_t y = 0; y < 12; ++y)
+        for (std::uint32_t x = 0; x < 12; ++x) {
+            const double u = 10.0 * x - 55, v = 10.0 * y - 55;
+            positions.push_back({{u, v, -(u * u + v * v) / 80}});
+            if (x == 11 || y == 11) continue;
+            const std::uint32_t a = 12 * y + x;
+            triangles.push_back({{a, a + 1, a + 13}});
+            triangles.push_back({{a, a + 13, a + 12}});
+        }
+    return mien::Mesh(session, positions, triangles);
+}
+
+mien::Model small_model(const mien::Session& session) {
+    mien::ModelSettings settings;
+    settings.kernel = MIEN_KERNEL_EUCLIDEAN_SE;
+    settings.num_modes = 30;
+    settings.landmarks = {{"nose", 66}, {"Chin", 5}};
+    settings.zones = {{"cheek", {1, 2, 3}}, {"brow", {}}};
+    return mien::Model::build(session, sheet(session), settings);
+}
+
+TEST(Landmarks, OfAModelAreReadBackWithNamesAndVertices) {
+    const mien::Session session;
+    const mien::Model model = small_model(session);
+    const mien::Landmarks landmarks = mien::Landmarks::of(model);
+    ASSERT_EQ(landmarks.size(), 2u);
+    EXPECT_EQ(landmarks[0].name, "nose");
+    EXPECT_EQ(landmarks[0].vertex, 66u);
+    EXPECT_EQ(landmarks[1].where, MIEN_MARK_VERTEX);
+    const mien::Zones zones = mien::Zones::of(model);
+    ASSERT_EQ(zones.size(), 2u);
+    EXPECT_EQ(zones[0].vertices, (std::vector<std::uint32_t>{1, 2, 3}));
+    EXPECT_TRUE(zones[1].vertices.empty());
+    const mien::LandmarkMark on = landmarks.on(model.mesh())[0];
+    EXPECT_EQ(on.where, MIEN_MARK_PLACE);
+    EXPECT_EQ(on.position, model.mesh().positions()[66]);
+}
+
+TEST(Landmarks, OfAFileAreMatchedAndSavedAsAnotherKind) {
+    const mien::Session session;
+    const mien::Model model = small_model(session);
+    const std::string path = temporary_path("marks.csv");
+    std::ofstream(path) << "name,x,y,z\nNOSE,1,2,3\nchin,,,\ntail,4,5,6\n";
+    const mien::Landmarks read(session, path);
+    EXPECT_EQ(read.size(), 3u);
+    EXPECT_EQ(read.picked_count(), 2u);
+    const mien::Landmarks matched = read.match(model);
+    ASSERT_EQ(matched.size(), 2u);
+    EXPECT_EQ(matched[0].name, "nose");
+    EXPECT_EQ(matched[1].where, MIEN_MARK_NOT_PICKED);
+    EXPECT_NE(matched.json().find("\"unknown\":[\"tail\"]"), std::string::npos) << matched.json();
+    const std::string saved = temporary_path("marks.mrk.json");
+    matched.save(session, saved);
+    const mien::Landmarks back(session, saved);
+    EXPECT_EQ(back[0].position, (mien::Position{{1, 2, 3}}));
+    EXPECT_EQ(back[1].where, MIEN_MARK_NOT_PICKED);
+}
+
+TEST(Landmarks, NoKnownNameIsNotFoundWithExamples) {
+    const mien::Session session;
+    const mien::Model model = small_model(session);
+    try {
+        mien::Landmarks({{"P1", 1, {{1, 2, 3}}, 0}}).match(model);
+        FAIL();
+    } catch (const mien::Exception& failure) {
+        EXPECT_EQ(failure.status(), MIEN_E_NOT_FOUND);
+        EXPECT_NE(std::string(failure.what()).find("'nose'"), std::string::npos);
+    }
+    mien::RegisterOptions options;
+    options.landmarks = {{"P1", {{1, 2, 3}}}};
+    EXPECT_THROW(mien::Registration(session, model, sheet(session), options), mien::Exception);
+}
+
+TEST(Landmarks, IndicesAndNullsAreRefused) {
+    const Session session;
+    const mien_scan_landmark marks[] = {{"a", {1, 2, 3}}, {"a", {4, 5, 6}}};
+    mien_landmarks* list = nullptr;
+    EXPECT_EQ(mien_landmarks_create(marks, 2, &list, nullptr), MIEN_E_INVALID_ARGUMENT);
+    ASSERT_EQ(mien_landmarks_create(marks, 1, &list, nullptr), MIEN_OK);
+    mien_error error = fresh_error();
+    EXPECT_EQ(mien_landmarks_get_mark(list, 1, nullptr, nullptr, nullptr, &error),
+              MIEN_E_NOT_FOUND);
+    EXPECT_EQ(mien_landmarks_get_counts(nullptr, nullptr, nullptr, nullptr), MIEN_E_INVALID_HANDLE);
+    EXPECT_EQ(mien_landmarks_save(session, list, temporary_path("a.doc").c_str(), nullptr),
+              MIEN_E_BAD_FORMAT);
+    mien_landmarks_release(list);
+}
+
+TEST(MeshTools, ScaleMirrorCleanAndDecimate) {
+    const mien::Session session;
+    const mien::Mesh mesh = sheet(session);
+    const mien::Mesh scaled =
+        mien::transform_mesh(session, mesh, {2, 0, 0, 1, 0, 2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1});
+    EXPECT_EQ(scaled.positions()[0][0], 2 * mesh.positions()[0][0] + 1);
+    EXPECT_EQ(scaled.triangles(), mesh.triangles());
+    const mien::Mesh mirrored =
+        mien::transform_mesh(session, mesh, {-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1});
+    EXPECT_EQ(mirrored.triangles()[0][1], mesh.triangles()[0][2]);
+    EXPECT_EQ(mien::turn_mesh_over(session, mirrored).triangles(), mesh.triangles());
+    EXPECT_THROW(mien::transform_mesh(session, mesh, {}), mien::Exception);
+    EXPECT_EQ(mien::clean_mesh(session, mesh).vertex_count(), mesh.vertex_count());
+    const std::size_t fewer = mien::decimate_mesh(session, mesh, 60).vertex_count();
+    EXPECT_LE(fewer, 70u);
+    EXPECT_GE(fewer, 60u);
+    EXPECT_THROW(mien::decimate_mesh(session, mesh, 1000), mien::Exception);
+    EXPECT_NO_THROW(mien::check_same_unit(mesh, scaled));
+    const mien::Mesh metres = mien::transform_mesh(
+        session, mesh, {.001, 0, 0, 0, 0, .001, 0, 0, 0, 0, .001, 0, 0, 0, 0, 1});
+    EXPECT_THROW(mien::check_same_unit(mesh, metres), mien::Exception);
+    EXPECT_NE(mien::inspect_mesh(session, metres).find("it seems to be in m"), std::string::npos);
+}
+
+TEST(TemplateCheck, SaysWhatIsWrong) {
+    const mien::Session session;
+    const mien::Mesh mesh = sheet(session);
+    EXPECT_NE(mien::check_template(session, mesh, nullptr, false).find("\"errors\":0"),
+              std::string::npos);
+    EXPECT_NE(mien::check_template(session, mien::turn_mesh_over(session, mesh), nullptr, false)
+                  .find("inside-out"),
+              std::string::npos);
+    const mien::Landmarks landmarks = mien::Landmarks::of(small_model(session));
+    EXPECT_NE(mien::check_template(session, mesh, &landmarks, true).find("\"findings\""),
+              std::string::npos);
+}
+
+}  // namespace
