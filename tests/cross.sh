@@ -71,7 +71,7 @@ for machine; do
     # shellcheck disable=SC2086
     ${cross}gcc$posix -std=c99 $warnings -pedantic "$project/examples/c/first_program.c" -I"${root}include" $link -o "$programs/first$exe"
     # shellcheck disable=SC2086
-    ${cross}gcc$posix -std=c99 $warnings "$project/tests/abi/previous_release.c" -I"$project/abi/baseline" $link -lm -o "$programs/previous$exe"
+    ${cross}gcc$posix -std=c99 $warnings "$project/tests/abi/previous_release.c" -I"$project/tests/golden/abi-0.1" $link -lm -o "$programs/previous$exe"
     # shellcheck disable=SC2086
     ${cross}gcc$posix -std=c99 $warnings "$project/tests/abi/utf8_paths.c" -I"${root}include" $link -o "$programs/utf8_paths$exe"
     python3 "$project/tests/abi/generate_abuse.py" "${root}include/mien" "$programs/abuse_tables.inc"

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Writes the public C headers as one file without comments: what programs of this release were built with.
 
-  freeze_headers.py INCLUDE_DIR > abi/baseline/mien-VERSION.h
+  freeze_headers.py INCLUDE_DIR > tests/golden/abi-VERSION/mien-VERSION.h
 
 Run once per release and never again for it: tests/abi/previous_release.c is compiled against the frozen
 file and run with the present library.

@@ -1,4 +1,4 @@
-/* A program of release 0.1, built against that release's headers (abi/baseline/mien-0.1.h) and run
+/* A program of release 0.1, built against that release's headers (tests/golden/abi-0.1) and run
  * with the present library: the whole job from arrays to a volume, with the structs as that release
  * knew them. What later releases add must not show here. Change it only when a new ABI number says
  * so. */

@@ -51,7 +51,7 @@ endif()
 
 # A program of the first release, with that release's headers, on the present library.
 add_executable(test_previous_release previous_release.c)
-target_include_directories(test_previous_release PRIVATE ${PROJECT_SOURCE_DIR}/abi/baseline)
+target_include_directories(test_previous_release PRIVATE ${PROJECT_SOURCE_DIR}/tests/golden/abi-0.1)
 target_compile_options(test_previous_release PRIVATE -Wall -Wextra -Werror)
 if(UNIX)
     target_link_libraries(test_previous_release PRIVATE m)
