@@ -281,14 +281,9 @@ void run_bland_altman(const ScoreCommand& settings) {
     write_report(settings.common, report);
 }
 
-}  // namespace
+using Settings = std::shared_ptr<ScoreCommand>;
 
-void add_score_commands(CLI::App& app) {
-    CLI::App* score =
-        app.add_subcommand("score", "biomarker scores, rater agreement, repeatability");
-    score->require_subcommand(1);
-    auto settings = std::make_shared<ScoreCommand>();
-
+void add_train(CLI::App* score, const Settings& settings) {
     CLI::App* train = score->add_subcommand("train", "learn a score from graded faces");
     train->add_option("--data", settings->data, "dataset of faces in correspondence")->required();
     train
@@ -321,7 +316,9 @@ void add_score_commands(CLI::App& app) {
         "Example: mien score train --data faces.safetensors --grades grades.json --range 0 4 --out "
         "sag.safetensors");
     train->callback([settings] { run_train(*settings); });
+}
 
+void add_use_of_scores(CLI::App* score, const Settings& settings) {
     CLI::App* predict = score->add_subcommand("predict", "the score of a fitted face");
     predict->add_option("--model", settings->model, "score model")->required();
     predict->add_option("--in", settings->in, "fitted face")->required();
@@ -341,7 +338,9 @@ void add_score_commands(CLI::App& app) {
         "Example: mien score simulate --model sag.safetensors --in fitted.ply --target 4 --out "
         "older.ply");
     simulate->callback([settings] { run_simulate(*settings); });
+}
 
+void add_statistics(CLI::App* score, const Settings& settings) {
     CLI::App* agreement = score->add_subcommand("agreement", "how far raters agree");
     agreement
         ->add_option("--grades", settings->grades,
@@ -374,6 +373,18 @@ void add_score_commands(CLI::App& app) {
     compare->footer(
         "Example: mien score bland-altman --values volumes.json --picture agreement.png");
     compare->callback([settings] { run_bland_altman(*settings); });
+}
+
+}  // namespace
+
+void add_score_commands(CLI::App& app) {
+    CLI::App* score =
+        app.add_subcommand("score", "biomarker scores, rater agreement, repeatability");
+    score->require_subcommand(1);
+    const auto settings = std::make_shared<ScoreCommand>();
+    add_train(score, settings);
+    add_use_of_scores(score, settings);
+    add_statistics(score, settings);
 }
 
 }  // namespace mien::cli

@@ -172,6 +172,45 @@ double edge_eccentricity(const IntrinsicMesh& mesh) {
     return largest;
 }
 
+/// The triangles as the flow needs them, by elimination order `place`; those without area fall out.
+std::vector<Wedge> make_wedges(const IntrinsicMesh& mesh, const std::vector<std::int32_t>& place) {
+    std::vector<Wedge> wedges;
+    wedges.reserve(static_cast<std::size_t>(mesh.triangles.rows()));
+    for (Index t = 0; t < mesh.triangles.rows(); ++t) {
+        // Corner 0 at the origin, corner 1 on the x axis.
+        const double to1 = mesh.lengths(t, 2), to2 = mesh.lengths(t, 1),
+                     across = mesh.lengths(t, 0);
+        const double doubled = mesh.double_area(t);
+        if (!(doubled > 0)) continue;
+        const double x2 = ((to2 - across) * (to2 + across) + to1 * to1) / (2 * to1);
+        const double y2 = doubled / to1;
+        Wedge w;
+        for (int k = 0; k < 3; ++k) w.corner[k] = place[mesh.triangles(t, k)];
+        w.g1x = y2 / doubled;
+        w.g1y = -x2 / doubled;
+        w.g2x = 0;
+        w.g2y = to1 / doubled;
+        w.area = 0.5 * doubled * mesh.weights[t];
+        wedges.push_back(w);
+    }
+    return wedges;
+}
+
+/// M + t L; with `cold`, the vertices marked there (in elimination order) keep temperature zero:
+/// they are cut off from the others.
+Sparse heat_operator(const Sparse& stiffness, const Vector& mass, double t,
+                     const std::vector<char>* cold) {
+    Sparse matrix = t * stiffness;
+    for (Index v = 0; v < mass.size(); ++v) matrix.coeffRef(v, v) += mass[v];
+    if (cold != nullptr)
+        for (Index j = 0; j < matrix.outerSize(); ++j)
+            for (Sparse::InnerIterator it(matrix, j); it; ++it)
+                if (it.row() != it.col() && ((*cold)[static_cast<std::size_t>(it.row())] ||
+                                             (*cold)[static_cast<std::size_t>(it.col())]))
+                    it.valueRef() = 0;
+    return matrix;
+}
+
 }  // namespace
 
 struct HeatGeodesics::State {
@@ -265,25 +304,7 @@ HeatGeodesics::HeatGeodesics(const PointsRef& vertices, const TrianglesRef& tria
             s.has_border = true;
         }
 
-    s.wedges.reserve(static_cast<std::size_t>(mesh.triangles.rows()));
-    for (Index t = 0; t < mesh.triangles.rows(); ++t) {
-        // Corner 0 at the origin, corner 1 on the x axis.
-        const double to1 = mesh.lengths(t, 2), to2 = mesh.lengths(t, 1),
-                     across = mesh.lengths(t, 0);
-        const double doubled = mesh.double_area(t);
-        if (!(doubled > 0)) continue;
-        const double x2 = ((to2 - across) * (to2 + across) + to1 * to1) / (2 * to1);
-        const double y2 = doubled / to1;
-        Wedge w;
-        for (int k = 0; k < 3; ++k) w.corner[k] = s.place[mesh.triangles(t, k)];
-        w.g1x = y2 / doubled;
-        w.g1y = -x2 / doubled;
-        w.g2x = 0;
-        w.g2y = to1 / doubled;
-        w.area = 0.5 * doubled * mesh.weights[t];
-        s.wedges.push_back(w);
-    }
-
+    s.wedges = make_wedges(mesh, s.place);
     // Vertices without triangles have no mass; any positive number keeps the matrix definite.
     const double h = mesh.mean_edge_mm > 0 ? mesh.mean_edge_mm : 1.0;
     for (Index v = 0; v < mass.size(); ++v)
@@ -293,15 +314,7 @@ HeatGeodesics::HeatGeodesics(const PointsRef& vertices, const TrianglesRef& tria
     s.needs_far = reach > kReach * std::sqrt(time);
     const bool cools = s.has_border && options.boundary != HeatBoundary::neumann;
     const auto heat_matrix = [&](double t, bool cold) {
-        Sparse matrix = t * stiffness;
-        for (Index v = 0; v < mass.size(); ++v) matrix.coeffRef(v, v) += mass[v];
-        if (cold)
-            for (Index j = 0; j < matrix.outerSize(); ++j)
-                for (Sparse::InnerIterator it(matrix, j); it; ++it)
-                    if (it.row() != it.col() && (s.on_border[static_cast<std::size_t>(it.row())] ||
-                                                 s.on_border[static_cast<std::size_t>(it.col())]))
-                        it.valueRef() = 0;
-        return matrix;
+        return heat_operator(stiffness, mass, t, cold ? &s.on_border : nullptr);
     };
     const double far_time = std::pow(reach / kReach, 2);
     s.neumann = BlockLdlt(heat_matrix(time, false), "heat");

@@ -167,6 +167,123 @@ void check_input(const PointsRef& vertices, const TrianglesRef& triangles) {
                         static_cast<long long>(vertices.rows()));
 }
 
+/// The triangles of three distinct vertices.
+Triangles proper_triangles(const TrianglesRef& all) {
+    Triangles triangles(all.rows(), 3);
+    Index used = 0;
+    for (Index t = 0; t < all.rows(); ++t) {
+        const auto a = all(t, 0), b = all(t, 1), c = all(t, 2);
+        if (a != b && b != c && c != a) triangles.row(used++) = all.row(t);
+    }
+    triangles.conservativeResize(used, 3);
+    return triangles;
+}
+
+/// Pieces in the order of their first vertices; a vertex without triangles is one of its own.
+void number_components(const TrianglesRef& triangles, IntrinsicMesh& mesh) {
+    std::vector<int> parent(static_cast<std::size_t>(mesh.num_vertices));
+    std::iota(parent.begin(), parent.end(), 0);
+    for (Index t = 0; t < triangles.rows(); ++t)
+        for (int k = 1; k < 3; ++k) {
+            const int a = root_of(parent, static_cast<int>(triangles(t, 0)));
+            const int b = root_of(parent, static_cast<int>(triangles(t, k)));
+            parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+        }
+    mesh.component.assign(parent.size(), 0);
+    for (std::size_t v = 0; v < parent.size(); ++v) {
+        const int root = root_of(parent, static_cast<int>(v));
+        mesh.component[v] = root == static_cast<int>(v)
+                                ? mesh.num_components++
+                                : mesh.component[static_cast<std::size_t>(root)];
+    }
+}
+
+/// Twins of all half-edges, the vertices on the border and the mean length of the edges. Returns
+/// the number of edges.
+Index glue_cover(const PointsRef& vertices, const TrianglesRef& triangles, Cover& cover,
+                 IntrinsicMesh& mesh) {
+    const Index used = triangles.rows();
+    std::vector<Side> sides;
+    sides.reserve(static_cast<std::size_t>(3 * used));
+    for (Index t = 0; t < used; ++t)
+        for (int k = 0; k < 3; ++k) {
+            const std::uint32_t a = triangles(t, (k + 1) % 3), b = triangles(t, (k + 2) % 3);
+            sides.push_back({std::min(a, b), std::max(a, b), 3 * t + k});
+        }
+    std::sort(sides.begin(), sides.end());
+    cover.twin.assign(static_cast<std::size_t>(6 * used), kNone);
+    double length_sum = 0;
+    Index num_edges = 0;
+    for (std::size_t first = 0; first < sides.size();) {
+        std::size_t last = first + 1;
+        while (last < sides.size() && sides[last].low == sides[first].low &&
+               sides[last].high == sides[first].high)
+            ++last;
+        length_sum += (vertices.row(sides[first].low) - vertices.row(sides[first].high)).norm();
+        ++num_edges;
+        if (last - first == 1)
+            mesh.on_border[sides[first].low] = mesh.on_border[sides[first].high] = 1;
+        glue_edge(&sides[first], last - first, vertices, triangles, cover);
+        first = last;
+    }
+    mesh.mean_edge_mm = length_sum / static_cast<double>(num_edges);
+    if (!(mesh.mean_edge_mm > 0))
+        fail(Status::invalid_mesh, "all vertices of the surface lie in one place");
+    return num_edges;
+}
+
+/// Corners and lengths of fronts and backs. All lengths are mollified by one number, just enough
+/// that every triangle keeps the triangle inequality with slack.
+void measure_cover(const PointsRef& vertices, const TrianglesRef& triangles, Cover& cover,
+                   IntrinsicMesh& mesh) {
+    const Index used = triangles.rows();
+    cover.corners.resize(static_cast<std::size_t>(2 * used));
+    cover.lengths.resize(static_cast<std::size_t>(2 * used));
+    const double slack = kHeatMollification * mesh.mean_edge_mm;
+    for (Index t = 0; t < used; ++t) {
+        auto& front = cover.lengths[static_cast<std::size_t>(2 * t)];
+        for (int k = 0; k < 3; ++k)
+            front[k] =
+                (vertices.row(triangles(t, (k + 1) % 3)) - vertices.row(triangles(t, (k + 2) % 3)))
+                    .norm();
+        for (int k = 0; k < 3; ++k)
+            mesh.mollification_mm =
+                std::max(mesh.mollification_mm,
+                         slack - (front[(k + 1) % 3] + front[(k + 2) % 3] - front[k]));
+    }
+    for (Index t = 0; t < used; ++t) {
+        const auto f = static_cast<std::size_t>(2 * t);
+        for (int k = 0; k < 3; ++k) cover.lengths[f][k] += mesh.mollification_mm;
+        cover.corners[f] = {triangles(t, 0), triangles(t, 1), triangles(t, 2)};
+        cover.corners[f + 1] = {triangles(t, 0), triangles(t, 2), triangles(t, 1)};
+        cover.lengths[f + 1] = {cover.lengths[f][0], cover.lengths[f][2], cover.lengths[f][1]};
+    }
+}
+
+/// Flips edges, last in, first out, until all are Delaunay. The number of flips is finite in exact
+/// arithmetic; `most` guards against rounding going round in circles. Returns the flips made.
+Index flip_to_delaunay(Cover& cover, Index most) {
+    std::vector<std::int64_t> open(cover.twin.size());
+    for (std::size_t h = 0; h < open.size(); ++h)
+        open[h] = static_cast<std::int64_t>(open.size() - 1 - h);
+    std::vector<char> waiting(open.size(), 1);
+    Index num_flips = 0;
+    std::array<std::int64_t, 4> outer{};
+    while (!open.empty() && num_flips < most) {
+        const std::int64_t h = open.back();
+        open.pop_back();
+        waiting[static_cast<std::size_t>(h)] = 0;
+        if (cover.is_delaunay(h) || !cover.flip(h, outer)) continue;
+        ++num_flips;
+        for (const std::int64_t o : outer)
+            if (!waiting[static_cast<std::size_t>(o)]) {
+                waiting[static_cast<std::size_t>(o)] = 1;
+                open.push_back(o);
+            }
+    }
+    return num_flips;
+}
+
 /// Front and back of a triangle far from borders end up alike; one with double weight serves both.
 void merge_sides(const Cover& cover, IntrinsicMesh& mesh) {
     struct Key {
@@ -230,108 +347,14 @@ IntrinsicMesh build_intrinsic_mesh(const PointsRef& vertices, const TrianglesRef
     check_input(vertices, all_triangles);
     IntrinsicMesh mesh;
     mesh.num_vertices = vertices.rows();
-    Triangles triangles(all_triangles.rows(), 3);
-    Index used = 0;
-    for (Index t = 0; t < all_triangles.rows(); ++t) {
-        const auto a = all_triangles(t, 0), b = all_triangles(t, 1), c = all_triangles(t, 2);
-        if (a != b && b != c && c != a) triangles.row(used++) = all_triangles.row(t);
-    }
-    triangles.conservativeResize(used, 3);
-
-    // Components.
-    std::vector<int> parent(static_cast<std::size_t>(vertices.rows()));
-    std::iota(parent.begin(), parent.end(), 0);
-    for (Index t = 0; t < used; ++t)
-        for (int k = 1; k < 3; ++k) {
-            const int a = root_of(parent, static_cast<int>(triangles(t, 0)));
-            const int b = root_of(parent, static_cast<int>(triangles(t, k)));
-            parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-        }
-    mesh.component.assign(parent.size(), 0);
-    for (std::size_t v = 0; v < parent.size(); ++v) {
-        const int root = root_of(parent, static_cast<int>(v));
-        mesh.component[v] = root == static_cast<int>(v)
-                                ? mesh.num_components++
-                                : mesh.component[static_cast<std::size_t>(root)];
-    }
-    mesh.on_border.assign(parent.size(), 0);
-    if (used == 0) return mesh;
-
-    // Sides sorted by edge; mean length, borders.
-    std::vector<Side> sides;
-    sides.reserve(static_cast<std::size_t>(3 * used));
-    for (Index t = 0; t < used; ++t)
-        for (int k = 0; k < 3; ++k) {
-            const std::uint32_t a = triangles(t, (k + 1) % 3), b = triangles(t, (k + 2) % 3);
-            sides.push_back({std::min(a, b), std::max(a, b), 3 * t + k});
-        }
-    std::sort(sides.begin(), sides.end());
-
+    const Triangles triangles = proper_triangles(all_triangles);
+    number_components(triangles, mesh);
+    mesh.on_border.assign(static_cast<std::size_t>(vertices.rows()), 0);
+    if (triangles.rows() == 0) return mesh;
     Cover cover;
-    cover.corners.resize(static_cast<std::size_t>(2 * used));
-    cover.lengths.resize(static_cast<std::size_t>(2 * used));
-    cover.twin.assign(static_cast<std::size_t>(6 * used), kNone);
-    double length_sum = 0;
-    Index num_edges = 0;
-    for (std::size_t first = 0; first < sides.size();) {
-        std::size_t last = first + 1;
-        while (last < sides.size() && sides[last].low == sides[first].low &&
-               sides[last].high == sides[first].high)
-            ++last;
-        length_sum += (vertices.row(sides[first].low) - vertices.row(sides[first].high)).norm();
-        ++num_edges;
-        if (last - first == 1)
-            mesh.on_border[sides[first].low] = mesh.on_border[sides[first].high] = 1;
-        glue_edge(&sides[first], last - first, vertices, triangles, cover);
-        first = last;
-    }
-    mesh.mean_edge_mm = length_sum / static_cast<double>(num_edges);
-    if (!(mesh.mean_edge_mm > 0))
-        fail(Status::invalid_mesh, "all vertices of the surface lie in one place");
-
-    // Lengths, mollified just enough that every triangle keeps the triangle inequality with slack.
-    const double slack = kHeatMollification * mesh.mean_edge_mm;
-    for (Index t = 0; t < used; ++t) {
-        auto& front = cover.lengths[static_cast<std::size_t>(2 * t)];
-        for (int k = 0; k < 3; ++k)
-            front[k] =
-                (vertices.row(triangles(t, (k + 1) % 3)) - vertices.row(triangles(t, (k + 2) % 3)))
-                    .norm();
-        for (int k = 0; k < 3; ++k)
-            mesh.mollification_mm =
-                std::max(mesh.mollification_mm,
-                         slack - (front[(k + 1) % 3] + front[(k + 2) % 3] - front[k]));
-    }
-    for (Index t = 0; t < used; ++t) {
-        const auto f = static_cast<std::size_t>(2 * t);
-        for (int k = 0; k < 3; ++k) cover.lengths[f][k] += mesh.mollification_mm;
-        cover.corners[f] = {triangles(t, 0), triangles(t, 1), triangles(t, 2)};
-        cover.corners[f + 1] = {triangles(t, 0), triangles(t, 2), triangles(t, 1)};
-        cover.lengths[f + 1] = {cover.lengths[f][0], cover.lengths[f][2], cover.lengths[f][1]};
-    }
-
-    if (delaunay) {
-        // Last in, first out; the number of flips is finite in exact arithmetic, the bound guards
-        // against rounding going round in circles.
-        std::vector<std::int64_t> open(cover.twin.size());
-        for (std::size_t h = 0; h < open.size(); ++h)
-            open[h] = static_cast<std::int64_t>(open.size() - 1 - h);
-        std::vector<char> waiting(open.size(), 1);
-        const Index most = 100 * num_edges + 1000;
-        std::array<std::int64_t, 4> outer{};
-        while (!open.empty() && mesh.num_flips < most) {
-            const std::int64_t h = open.back();
-            open.pop_back();
-            waiting[static_cast<std::size_t>(h)] = 0;
-            if (cover.is_delaunay(h) || !cover.flip(h, outer)) continue;
-            ++mesh.num_flips;
-            for (const std::int64_t o : outer)
-                if (!waiting[static_cast<std::size_t>(o)]) {
-                    waiting[static_cast<std::size_t>(o)] = 1;
-                    open.push_back(o);
-                }
-        }
-    }
+    const Index num_edges = glue_cover(vertices, triangles, cover, mesh);
+    measure_cover(vertices, triangles, cover, mesh);
+    if (delaunay) mesh.num_flips = flip_to_delaunay(cover, 100 * num_edges + 1000);
     merge_sides(cover, mesh);
     return mesh;
 }

@@ -262,6 +262,35 @@ EigenPairs dense_pairs(const LaplaceOperator& laplace, Index k) {
     return pairs;
 }
 
+/// Two slices look for the pairs between their shifts from either side and overlap: where the
+/// overlap agrees, the widest gap is the safest place to pass from the left slice to the right one.
+/// Returns the number of pairs, of `between`, that the left slice gives. Throws Status::no_solution
+/// where both disagree.
+Index cut_between(const Eigen::Ref<const Vector>& left_values,
+                  const Eigen::Ref<const Vector>& right_values, Index between, double left_shift,
+                  double right_shift) {
+    const Index from_left = left_values.size(), right_offset = between - right_values.size();
+    const double tolerance = 1e-6 * right_shift;
+    Index cut = right_offset;
+    double widest = -1;
+    for (Index j = right_offset; j <= from_left; ++j) {
+        if (j < from_left && j >= right_offset &&
+            std::abs(left_values[j] - right_values[j - right_offset]) > tolerance)
+            fail_count(left_values[j]);
+        const double lower = j == 0           ? left_shift
+                             : j <= from_left ? left_values[j - 1]
+                                              : right_values[j - 1 - right_offset];
+        const double upper = j == between        ? right_shift
+                             : j >= right_offset ? right_values[j - right_offset]
+                                                 : left_values[j];
+        if (upper - lower > widest) {
+            widest = upper - lower;
+            cut = j;
+        }
+    }
+    return cut;
+}
+
 /// Fills the columns of `pairs` behind the null space, in factor order, as vectors of A.
 void sliced_pairs(const Problem& problem, Index k, EigenPairs& pairs, const Context& context) {
     const Index n = problem.a.rows(), kernel = problem.kernel.num_components;
@@ -291,30 +320,11 @@ void sliced_pairs(const Problem& problem, Index k, EigenPairs& pairs, const Cont
     std::vector<Share> shares(num_slices);
     for (std::size_t i = 0; i < num_slices; ++i) shares[i].end = slices[i].values.size();
     for (std::size_t i = 0; i + 1 < num_slices; ++i) {
-        // Pairs between the two shifts by their number: 0 .. between - 1.
         const Index between = shifts[i + 1].count - shifts[i].count;
-        const Index from_left = above[i], from_right = below[i + 1];
-        const Index right_offset = between - from_right;
-        const auto left_values = slices[i].values.tail(from_left);
-        const auto right_values = slices[i + 1].values.head(from_right);
-        const double tolerance = 1e-6 * shifts[i + 1].value;
-        Index cut = right_offset;
-        double widest = -1;
-        for (Index j = right_offset; j <= from_left; ++j) {
-            if (j < from_left && j >= right_offset &&
-                std::abs(left_values[j] - right_values[j - right_offset]) > tolerance)
-                fail_count(left_values[j]);
-            const double lower = j == 0           ? shifts[i].value
-                                 : j <= from_left ? left_values[j - 1]
-                                                  : right_values[j - 1 - right_offset];
-            const double upper = j == between        ? shifts[i + 1].value
-                                 : j >= right_offset ? right_values[j - right_offset]
-                                                     : left_values[j];
-            if (upper - lower > widest) {
-                widest = upper - lower;
-                cut = j;
-            }
-        }
+        const Index right_offset = between - below[i + 1];
+        const Index cut =
+            cut_between(slices[i].values.tail(above[i]), slices[i + 1].values.head(below[i + 1]),
+                        between, shifts[i].value, shifts[i + 1].value);
         shares[i].end = below[i] + cut;
         shares[i + 1].begin = cut - right_offset;
     }

@@ -53,6 +53,105 @@ std::vector<int> group_numbers(const std::vector<int>& groups, Index n, int& num
     return numbers;
 }
 
+/// Groups and their folds: fold_of_sample, and how many samples each fold holds out.
+struct Folds {
+    std::vector<int> group;  ///< per sample, 0 .. num_groups - 1
+    int num_groups = 0;
+    std::vector<int> of_sample;
+    std::vector<Index> size;
+};
+
+Folds draw_folds(const CrossValidationOptions& options, Index n) {
+    Folds folds;
+    folds.group = group_numbers(options.groups, n, folds.num_groups);
+    const int count = options.folds == 0 ? folds.num_groups : options.folds;
+    if (folds.num_groups < 3 || count < 2 || count > folds.num_groups)
+        fail(Status::invalid_argument,
+             "%d folds of %d groups; cross-validation needs three groups or more and at most as "
+             "many folds",
+             count, folds.num_groups);
+    std::vector<int> fold_of_group(static_cast<std::size_t>(folds.num_groups));
+    std::iota(fold_of_group.begin(), fold_of_group.end(), 0);
+    SplitMix random(options.seed);
+    for (std::size_t i = fold_of_group.size(); i > 1; --i)
+        std::swap(fold_of_group[i - 1], fold_of_group[random.below(i)]);
+    for (int& f : fold_of_group) f %= count;
+    folds.of_sample.resize(static_cast<std::size_t>(n));
+    folds.size.assign(static_cast<std::size_t>(count), 0);
+    for (std::size_t i = 0; i < folds.of_sample.size(); ++i) {
+        folds.of_sample[i] = fold_of_group[static_cast<std::size_t>(folds.group[i])];
+        ++folds.size[static_cast<std::size_t>(folds.of_sample[i])];
+    }
+    return folds;
+}
+
+/// Fits on all samples but those of one fold and writes the predictions of these, for 0 to
+/// predictions.cols() - 1 components. `coordinates` has a row per sample.
+void predict_fold(const Matrix& coordinates, const Vector& y, const CrossValidationOptions& options,
+                  const Folds& folds, int fold, Matrix& predictions) {
+    const Index n = y.size(), held = folds.size[static_cast<std::size_t>(fold)];
+    const Index most = predictions.cols() - 1;
+    Matrix train_x(n - held, coordinates.cols()), test_x(held, coordinates.cols());
+    Matrix train_y(n - held, 1);
+    Index a = 0, b = 0;
+    for (Index i = 0; i < n; ++i) {
+        if (folds.of_sample[static_cast<std::size_t>(i)] == fold) {
+            test_x.row(b++) = coordinates.row(i);
+        } else {
+            train_y(a, 0) = y[i];
+            train_x.row(a++) = coordinates.row(i);
+        }
+    }
+    const double mean = train_y.mean();
+    Matrix predicted = Matrix::Constant(held, most + 1, mean);
+    if ((train_y.array() - mean).abs().maxCoeff() > 0) {
+        PlsOptions fit_options;
+        fit_options.method = options.method;
+        fit_options.num_components = static_cast<int>(std::min(most, coordinates.cols()));
+        fit_options.scale = options.scale;
+        const PlsModel model = fit_pls(train_x, train_y, fit_options, Context());
+        const Matrix scores = model.project(test_x);
+        for (Index c = 1; c <= most; ++c) {
+            predicted.col(c) = predicted.col(c - 1);
+            if (c <= model.num_components())
+                predicted.col(c) += scores.col(c - 1) * model.y_loadings(0, c - 1);
+        }
+    }
+    b = 0;
+    for (Index i = 0; i < n; ++i)
+        if (folds.of_sample[static_cast<std::size_t>(i)] == fold)
+            predictions.row(i) = predicted.row(b++);
+}
+
+/// Mean squared errors by number of components, their standard errors over the groups, the best
+/// number and the one-standard-error rule's.
+void judge_components(const Vector& y, const Folds& folds, CrossValidation& result) {
+    const Index n = y.size(), most = result.predictions.cols() - 1;
+    const int num_groups = folds.num_groups;
+    result.mean_squared_error.resize(most + 1);
+    result.standard_error.resize(most + 1);
+    for (Index c = 0; c <= most; ++c) {
+        Vector group_error = Vector::Zero(num_groups), group_count = Vector::Zero(num_groups);
+        for (Index i = 0; i < n; ++i) {
+            const double e = result.predictions(i, c) - y[i];
+            group_error[folds.group[static_cast<std::size_t>(i)]] += e * e;
+            group_count[folds.group[static_cast<std::size_t>(i)]] += 1.0;
+        }
+        result.mean_squared_error[c] = group_error.sum() / static_cast<double>(n);
+        const Vector means = group_error.array() / group_count.array();
+        result.standard_error[c] = std::sqrt((means.array() - means.mean()).square().sum() /
+                                             (num_groups - 1.0) / num_groups);
+    }
+    Index best = 1;
+    for (Index c = 2; c <= most; ++c)
+        if (result.mean_squared_error[c] < result.mean_squared_error[best]) best = c;
+    result.best_components = static_cast<int>(best);
+    const double bound = result.mean_squared_error[best] + result.standard_error[best];
+    Index fewest = 1;
+    while (result.mean_squared_error[fewest] > bound) ++fewest;
+    result.one_standard_error_components = static_cast<int>(fewest);
+}
+
 }  // namespace
 
 double CrossValidation::r2(int components) const {
@@ -69,107 +168,33 @@ CrossValidation cross_validate_pls(const ConstMatrixRef& x, const Vector& y,
              static_cast<long long>(n), static_cast<long long>(y.size()));
     if (!x.allFinite() || !y.allFinite())
         fail(Status::invalid_argument, "a predictor or response is not finite; drop that sample");
-    int num_groups = 0;
-    const std::vector<int> group = group_numbers(options.groups, n, num_groups);
-    const int folds = options.folds == 0 ? num_groups : options.folds;
-    if (num_groups < 3 || folds < 2 || folds > num_groups)
-        fail(Status::invalid_argument,
-             "%d folds of %d groups; cross-validation needs three groups or more and at most as "
-             "many "
-             "folds",
-             folds, num_groups);
+    const Folds folds = draw_folds(options, n);
     if (options.max_components < 1)
         fail(Status::invalid_argument, "%d components; at least one", options.max_components);
-
-    std::vector<int> fold_of_group(static_cast<std::size_t>(num_groups));
-    std::iota(fold_of_group.begin(), fold_of_group.end(), 0);
-    SplitMix random(options.seed);
-    for (std::size_t i = fold_of_group.size(); i > 1; --i)
-        std::swap(fold_of_group[i - 1], fold_of_group[random.below(i)]);
-    for (int& f : fold_of_group) f %= folds;
-
-    CrossValidation result;
-    result.fold.resize(static_cast<std::size_t>(n));
-    std::vector<Index> fold_size(static_cast<std::size_t>(folds), 0);
-    for (std::size_t i = 0; i < result.fold.size(); ++i) {
-        result.fold[i] = fold_of_group[static_cast<std::size_t>(group[i])];
-        ++fold_size[static_cast<std::size_t>(result.fold[i])];
-    }
     const Matrix shared = options.scale            ? Matrix(x)
                           : options.column_factors ? Matrix()
                                                    : principal_coordinates(x);
-    const Index smallest = n - *std::max_element(fold_size.begin(), fold_size.end());
+    const Index smallest = n - *std::max_element(folds.size.begin(), folds.size.end());
     const Index most = std::min<Index>({options.max_components, smallest - 1, x.cols()});
     if (most < 1)
         fail(Status::invalid_argument, "training folds of %lld samples are too small",
              static_cast<long long>(smallest));
 
+    CrossValidation result;
+    result.fold = folds.of_sample;
     result.predictions = Matrix::Zero(n, most + 1);
-    parallel_for(context, static_cast<std::size_t>(folds), 1, [&](std::size_t begin, std::size_t) {
+    parallel_for(context, folds.size.size(), 1, [&](std::size_t begin, std::size_t) {
         const int fold = static_cast<int>(begin);
-        const Index held = fold_size[begin];
         Matrix own;
         if (options.column_factors && !options.scale) {
             std::vector<Index> training;
             for (Index i = 0; i < n; ++i)
-                if (result.fold[static_cast<std::size_t>(i)] != fold) training.push_back(i);
+                if (folds.of_sample[static_cast<std::size_t>(i)] != fold) training.push_back(i);
             own = principal_coordinates(x * options.column_factors(training).asDiagonal());
         }
-        const Matrix& coordinates = own.size() > 0 ? own : shared;
-        Matrix train_x(n - held, coordinates.cols()), test_x(held, coordinates.cols());
-        Matrix train_y(n - held, 1);
-        Index a = 0, b = 0;
-        for (Index i = 0; i < n; ++i) {
-            if (result.fold[static_cast<std::size_t>(i)] == fold) {
-                test_x.row(b++) = coordinates.row(i);
-            } else {
-                train_y(a, 0) = y[i];
-                train_x.row(a++) = coordinates.row(i);
-            }
-        }
-        const double mean = train_y.mean();
-        Matrix predicted = Matrix::Constant(held, most + 1, mean);
-        if ((train_y.array() - mean).abs().maxCoeff() > 0) {
-            PlsOptions fit_options;
-            fit_options.method = options.method;
-            fit_options.num_components = static_cast<int>(std::min(most, coordinates.cols()));
-            fit_options.scale = options.scale;
-            const PlsModel model = fit_pls(train_x, train_y, fit_options, Context());
-            const Matrix scores = model.project(test_x);
-            for (Index c = 1; c <= most; ++c) {
-                predicted.col(c) = predicted.col(c - 1);
-                if (c <= model.num_components())
-                    predicted.col(c) += scores.col(c - 1) * model.y_loadings(0, c - 1);
-            }
-        }
-        b = 0;
-        for (Index i = 0; i < n; ++i)
-            if (result.fold[static_cast<std::size_t>(i)] == fold)
-                result.predictions.row(i) = predicted.row(b++);
+        predict_fold(own.size() > 0 ? own : shared, y, options, folds, fold, result.predictions);
     });
-
-    result.mean_squared_error.resize(most + 1);
-    result.standard_error.resize(most + 1);
-    for (Index c = 0; c <= most; ++c) {
-        Vector group_error = Vector::Zero(num_groups), group_count = Vector::Zero(num_groups);
-        for (Index i = 0; i < n; ++i) {
-            const double e = result.predictions(i, c) - y[i];
-            group_error[group[static_cast<std::size_t>(i)]] += e * e;
-            group_count[group[static_cast<std::size_t>(i)]] += 1.0;
-        }
-        result.mean_squared_error[c] = group_error.sum() / static_cast<double>(n);
-        const Vector means = group_error.array() / group_count.array();
-        result.standard_error[c] = std::sqrt((means.array() - means.mean()).square().sum() /
-                                             (num_groups - 1.0) / num_groups);
-    }
-    Index best = 1;
-    for (Index c = 2; c <= most; ++c)
-        if (result.mean_squared_error[c] < result.mean_squared_error[best]) best = c;
-    result.best_components = static_cast<int>(best);
-    const double bound = result.mean_squared_error[best] + result.standard_error[best];
-    Index fewest = 1;
-    while (result.mean_squared_error[fewest] > bound) ++fewest;
-    result.one_standard_error_components = static_cast<int>(fewest);
+    judge_components(y, folds, result);
     return result;
 }
 

@@ -46,6 +46,98 @@ void orthogonalise(Vector& v, const Matrix& basis, Index count) {
         v -= basis.leftCols(count) * (basis.leftCols(count).transpose() * v);
 }
 
+/// The data while components are taken from them; columns of `model` are filled one by one.
+struct Deflation {
+    Matrix x, y;              ///< centred and scaled; deflated by NIPALS
+    Matrix covariance;        ///< p x m, deflated by SIMPLS
+    Matrix basis;             ///< SIMPLS: orthonormal basis of the loadings so far
+    Matrix unit_scores;       ///< n x components
+    double x_total, y_total;  ///< sums of squares at the start
+};
+
+/// Centres and scales; sets the model's means and scales and its columns' sizes.
+Deflation begin_deflation(const ConstMatrixRef& x, const ConstMatrixRef& y,
+                          const PlsOptions& options, PlsModel& model) {
+    const Index n = x.rows(), p = x.cols(), m = y.cols(), most = options.num_components;
+    model.method = options.method;
+    model.num_samples = n;
+    model.x_mean = x.colwise().mean().transpose();
+    model.y_mean = y.colwise().mean().transpose();
+    Deflation data;
+    data.x = x.rowwise() - model.x_mean.transpose();
+    data.y = y.rowwise() - model.y_mean.transpose();
+    model.x_scale = Vector::Ones(p);
+    if (options.scale)
+        for (Index j = 0; j < p; ++j) {
+            const double sd = data.x.col(j).norm() / std::sqrt(static_cast<double>(n - 1));
+            if (sd > 1e-12 * std::max(std::fabs(model.x_mean[j]), 1e-300)) model.x_scale[j] = sd;
+            data.x.col(j) /= model.x_scale[j];
+        }
+    data.x_total = data.x.squaredNorm();
+    data.y_total = data.y.squaredNorm();
+    if (!(data.x_total > 0) || !(data.y_total > 0))
+        fail(Status::no_solution, "the %s do not vary; there is nothing to regress",
+             data.x_total > 0 ? "responses" : "predictors");
+    data.covariance = data.x.transpose() * data.y;
+    data.basis.resize(p, options.method == PlsMethod::simpls ? most : 0);
+    data.unit_scores.resize(n, most);
+    model.weights.resize(p, most);
+    model.rotations.resize(p, most);
+    model.x_loadings.resize(p, most);
+    model.y_loadings.resize(m, most);
+    model.scores.resize(n, most);
+    model.x_explained.resize(most);
+    model.y_explained.resize(most);
+    return data;
+}
+
+/// NIPALS (Wold): the component is taken off the data; `size` is the length of its scores t.
+void take_nipals(const Vector& w, const Vector& t, double size, Index k, Deflation& data,
+                 PlsModel& model) {
+    model.weights.col(k) = w;
+    model.scores.col(k) = t;
+    model.x_loadings.col(k) = data.x.transpose() * data.unit_scores.col(k) / size;
+    model.y_loadings.col(k) = data.y.transpose() * data.unit_scores.col(k) / size;
+    data.x -= t * model.x_loadings.col(k).transpose();
+    data.y -= t * model.y_loadings.col(k).transpose();
+    model.x_explained[k] = size * size * model.x_loadings.col(k).squaredNorm() / data.x_total;
+    model.y_explained[k] = size * size * model.y_loadings.col(k).squaredNorm() / data.y_total;
+}
+
+/// SIMPLS (de Jong): the component is taken off the covariance; `length` is that of x w.
+void take_simpls(const Vector& w, double length, Index k, Deflation& data, PlsModel& model) {
+    model.scores.col(k) = data.unit_scores.col(k);
+    model.rotations.col(k) = w / length;
+    model.weights.col(k) = model.rotations.col(k);
+    model.x_loadings.col(k) = data.x.transpose() * data.unit_scores.col(k);
+    model.y_loadings.col(k) = data.y.transpose() * data.unit_scores.col(k);
+    Vector v = model.x_loadings.col(k);
+    orthogonalise(v, data.basis, k);
+    v.normalize();
+    data.basis.col(k) = v;
+    data.covariance -= v * (v.transpose() * data.covariance);
+    if (k > 0)
+        data.covariance -=
+            data.basis.leftCols(k) * (data.basis.leftCols(k).transpose() * data.covariance);
+    model.x_explained[k] = model.x_loadings.col(k).squaredNorm() / data.x_total;
+    model.y_explained[k] = model.y_loadings.col(k).squaredNorm() / data.y_total;
+}
+
+/// Keeps the first `count` components; NIPALS gets its rotations.
+void finish_model(Index count, PlsModel& model) {
+    for (Matrix* columns :
+         {&model.weights, &model.rotations, &model.x_loadings, &model.y_loadings, &model.scores})
+        columns->conservativeResize(Eigen::NoChange, count);
+    model.x_explained.conservativeResize(count);
+    model.y_explained.conservativeResize(count);
+    if (model.method != PlsMethod::nipals) return;
+    // R = W (P'W)^-1; P'W is upper bidiagonal for one response, upper triangular in general.
+    const Matrix pw = model.x_loadings.transpose() * model.weights;
+    model.rotations = pw.transpose().partialPivLu().solve(model.weights.transpose()).transpose();
+    if (!model.rotations.allFinite())
+        fail(Status::no_solution, "P'W is singular; ask for fewer components");
+}
+
 }  // namespace
 
 Matrix PlsModel::coefficients(Index components) const {
@@ -77,105 +169,40 @@ Matrix PlsModel::predict(const ConstMatrixRef& x, Index components) const {
 PlsModel fit_pls(const ConstMatrixRef& x, const ConstMatrixRef& y, const PlsOptions& options,
                  const Context& context) {
     check_input(x, y, options);
-    const Index n = x.rows(), p = x.cols(), m = y.cols(), most = options.num_components;
+    const Index n = x.rows(), p = x.cols(), most = options.num_components;
     context.require_memory(static_cast<std::size_t>(p) * static_cast<std::size_t>(n + 4 * most) * 8,
                            "partial least squares");
     PlsModel model;
-    model.method = options.method;
-    model.num_samples = n;
-    model.x_mean = x.colwise().mean().transpose();
-    model.y_mean = y.colwise().mean().transpose();
-    Matrix x0 = x.rowwise() - model.x_mean.transpose();
-    Matrix y0 = y.rowwise() - model.y_mean.transpose();
-    model.x_scale = Vector::Ones(p);
-    if (options.scale)
-        for (Index j = 0; j < p; ++j) {
-            const double sd = x0.col(j).norm() / std::sqrt(static_cast<double>(n - 1));
-            if (sd > 1e-12 * std::max(std::fabs(model.x_mean[j]), 1e-300)) model.x_scale[j] = sd;
-            x0.col(j) /= model.x_scale[j];
-        }
-    const double x_total = x0.squaredNorm(), y_total = y0.squaredNorm();
-    if (!(x_total > 0) || !(y_total > 0))
-        fail(Status::no_solution, "the %s do not vary; there is nothing to regress",
-             x_total > 0 ? "responses" : "predictors");
-
-    model.weights.resize(p, most);
-    model.rotations.resize(p, most);
-    model.x_loadings.resize(p, most);
-    model.y_loadings.resize(m, most);
-    model.scores.resize(n, most);
-    model.x_explained.resize(most);
-    model.y_explained.resize(most);
-    Matrix covariance = x0.transpose() * y0;  // p x m, deflated by SIMPLS
-    const double covariance_norm = covariance.norm();
-    Matrix basis(p, options.method == PlsMethod::simpls ? most : 0);
-    Matrix unit_scores(n, most);
+    Deflation data = begin_deflation(x, y, options, model);
+    const double covariance_norm = data.covariance.norm();
+    const bool nipals = options.method == PlsMethod::nipals;
     Index done = 0;
     for (; done < most; ++done) {
         context.check_cancelled();
-        if (options.method == PlsMethod::nipals && done > 0) covariance = x0.transpose() * y0;
+        if (nipals && done > 0) data.covariance = data.x.transpose() * data.y;
         // Beyond this, the direction would be made of rounding.
-        if (!(covariance.norm() > 1e-13 * covariance_norm)) break;
-        Vector w = covariance * dominant_right_vector(covariance);
+        if (!(data.covariance.norm() > 1e-13 * covariance_norm)) break;
+        Vector w = data.covariance * dominant_right_vector(data.covariance);
         w.normalize();
-        Vector t;
-        if (options.method == PlsMethod::nipals) {
+        if (nipals) {
             orthogonalise(w, model.weights, done);
             w.normalize();
-            t = x0 * w;
-        } else {
-            t = x0 * w;
         }
-        const double t_norm = t.norm();
-        if (!(t_norm > 1e-13 * std::sqrt(x_total))) break;
-        orthogonalise(t, unit_scores, done);
+        Vector t = data.x * w;
+        const double length = t.norm();
+        if (!(length > 1e-13 * std::sqrt(data.x_total))) break;
+        orthogonalise(t, data.unit_scores, done);
         const double size = t.norm();
-        if (!(size > 1e-10 * t_norm)) break;
-        unit_scores.col(done) = t / size;
-        if (options.method == PlsMethod::nipals) {
-            model.weights.col(done) = w;
-            model.scores.col(done) = t;
-            model.x_loadings.col(done) = x0.transpose() * unit_scores.col(done) / size;
-            model.y_loadings.col(done) = y0.transpose() * unit_scores.col(done) / size;
-            x0 -= t * model.x_loadings.col(done).transpose();
-            y0 -= t * model.y_loadings.col(done).transpose();
-            model.x_explained[done] =
-                size * size * model.x_loadings.col(done).squaredNorm() / x_total;
-            model.y_explained[done] =
-                size * size * model.y_loadings.col(done).squaredNorm() / y_total;
-        } else {
-            model.scores.col(done) = unit_scores.col(done);
-            model.rotations.col(done) = w / t_norm;
-            model.weights.col(done) = model.rotations.col(done);
-            model.x_loadings.col(done) = x0.transpose() * unit_scores.col(done);
-            model.y_loadings.col(done) = y0.transpose() * unit_scores.col(done);
-            Vector v = model.x_loadings.col(done);
-            orthogonalise(v, basis, done);
-            v.normalize();
-            basis.col(done) = v;
-            covariance -= v * (v.transpose() * covariance);
-            if (done > 0)
-                covariance -=
-                    basis.leftCols(done) * (basis.leftCols(done).transpose() * covariance);
-            model.x_explained[done] = model.x_loadings.col(done).squaredNorm() / x_total;
-            model.y_explained[done] = model.y_loadings.col(done).squaredNorm() / y_total;
-        }
+        if (!(size > 1e-10 * length)) break;
+        data.unit_scores.col(done) = t / size;
+        if (nipals)
+            take_nipals(w, t, size, done, data, model);
+        else
+            take_simpls(w, length, done, data, model);
     }
     if (done == 0)
         fail(Status::no_solution, "the predictors do not covary with the responses at all");
-    for (Matrix* columns :
-         {&model.weights, &model.rotations, &model.x_loadings, &model.y_loadings, &model.scores})
-        columns->conservativeResize(Eigen::NoChange, done);
-    model.x_explained.conservativeResize(done);
-    model.y_explained.conservativeResize(done);
-    if (options.method == PlsMethod::nipals) {
-        // R = W (P'W)^-1; P'W is upper bidiagonal for one response, upper triangular in general.
-        const Matrix pw = model.x_loadings.transpose() * model.weights;
-        model.rotations =
-            pw.transpose().partialPivLu().solve(model.weights.transpose()).transpose();
-        if (!model.rotations.allFinite())
-            fail(Status::no_solution, "P'W is singular; ask for fewer components");
-    }
+    finish_model(done, model);
     return model;
 }
 

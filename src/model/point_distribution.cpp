@@ -65,6 +65,132 @@ std::vector<Similarity> motions(const FaceDataset& faces, const std::vector<Inde
     return result;
 }
 
+/// The chosen faces less the template, in the template's frame. They stay in the dataset's file and
+/// are read once per pass.
+class Displacements {
+  public:
+    Displacements(const FaceDataset& faces, const TriMesh& mesh, std::vector<Index> chosen,
+                  bool align, const Context& context)
+        : faces_(faces),
+          mesh_(mesh),
+          chosen_(std::move(chosen)),
+          align_(align),
+          motion_(motions(faces, chosen_, mesh, align, context)) {}
+
+    Index count() const { return static_cast<Index>(chosen_.size()); }
+    Index rows() const { return 3 * faces_.num_vertices(); }
+
+    /// Computes the mean that slice() takes off, 3#V.
+    const Vector& find_mean(const Context& context) {
+        mean_.setZero(rows());
+        const double s = static_cast<double>(count());
+        Points face;
+        for (Index k = 0; k < count(); ++k) {
+            context.progress(Stage::training, 0.2 * static_cast<double>(k) / s);
+            read(k, face);
+            for (Index v = 0; v < faces_.num_vertices(); ++v)
+                for (int c = 0; c < 3; ++c)
+                    mean_[3 * v + c] += (face(v, c) - mesh_.vertices(v, c)) / s;
+        }
+        if (!mean_.allFinite())
+            fail(Status::corrupt, "the dataset holds coordinates that are not finite");
+        return mean_;
+    }
+    /// Coordinates [first, first + number) of all faces, a column each, less the mean.
+    Matrix slice(Index first, Index number) const {
+        Matrix values(number, count());
+        Points face;
+        for (Index k = 0; k < count(); ++k) {
+            read(k, face);
+            for (Index i = 0; i < number; ++i) {
+                const Index v = (first + i) / 3, c = (first + i) % 3;
+                values(i, k) = face(v, c) - mesh_.vertices(v, c) - mean_[first + i];
+            }
+        }
+        return values;
+    }
+
+  private:
+    void read(Index k, Points& face) const {
+        faces_.face(chosen_[static_cast<std::size_t>(k)], face);
+        if (align_) face = motion_[static_cast<std::size_t>(k)].apply(face);
+    }
+
+    const FaceDataset& faces_;
+    const TriMesh& mesh_;
+    std::vector<Index> chosen_;
+    bool align_;
+    std::vector<Similarity> motion_;
+    Vector mean_;
+};
+
+/// Principal directions of the faces in the space of the faces (Turk and Pentland's small Gram
+/// matrix): variances descending, and the coefficients that give unit modes' scaled columns.
+struct GramModes {
+    Vector variances;     ///< the kept ones
+    Matrix coefficients;  ///< faces x kept
+    double kept_share = 0;
+};
+
+GramModes solve_gram(const Displacements& displacements, const PcaOptions& options,
+                     const Context& context) {
+    const Index s = displacements.count(), rows = displacements.rows();
+    Matrix gram = Matrix::Zero(s, s), part(s, s);
+    for (Index first = 0; first < rows; first += kSliceRows) {
+        context.progress(Stage::training,
+                         0.2 + 0.4 * static_cast<double>(first) / static_cast<double>(rows));
+        dense::weighted_gram(context,
+                             displacements.slice(first, std::min(kSliceRows, rows - first)),
+                             Vector(), part);
+        gram += part;
+    }
+    gram /= static_cast<double>(s - 1);
+    const Eigen::SelfAdjointEigenSolver<Matrix> solver(gram);
+    if (solver.info() != Eigen::Success || !solver.eigenvalues().allFinite())
+        fail(Status::no_solution, "the principal modes of the faces did not converge");
+    const Vector variances = solver.eigenvalues().reverse().cwiseMax(0.0);
+    const double total = variances.sum();
+    if (!(total > 0)) fail(Status::invalid_argument, "all faces of the dataset are the same");
+    Index p = 0;
+    double kept = 0;
+    const Index most = options.num_modes > 0 ? std::min(options.num_modes, s - 1) : s - 1;
+    while (p < most && variances[p] > 1e-12 * variances[0] &&
+           (options.num_modes > 0 || kept < options.variance * total))
+        kept += variances[p++];
+    GramModes modes;
+    modes.variances = variances.head(p);
+    modes.coefficients = solver.eigenvectors().rowwise().reverse().leftCols(p) /
+                         std::sqrt(static_cast<double>(s - 1));
+    modes.kept_share = kept / total;
+    return modes;
+}
+
+/// Per vertex x, y, z of the mean, then of every mode, so that one solve extends all. A mode's
+/// greatest entry is positive.
+Matrix mean_and_modes(const Displacements& displacements, const Vector& mean,
+                      const Matrix& coefficients, const Context& context) {
+    const Index rows = displacements.rows(), nd = rows / 3, p = coefficients.cols();
+    Matrix known(nd, 3 * (p + 1));
+    for (Index v = 0; v < nd; ++v)
+        for (int c = 0; c < 3; ++c) known(v, c) = mean[3 * v + c];
+    for (Index first = 0; first < rows; first += kSliceRows) {
+        context.progress(Stage::training,
+                         0.6 + 0.4 * static_cast<double>(first) / static_cast<double>(rows));
+        const Index count = std::min(kSliceRows, rows - first);
+        const Matrix modes = displacements.slice(first, count) * coefficients;
+        for (Index i = 0; i < count; ++i)
+            for (Index j = 0; j < p; ++j)
+                known((first + i) / 3, 3 * (j + 1) + (first + i) % 3) = modes(i, j);
+    }
+    for (Index j = 0; j < p; ++j) {
+        auto mode = known.middleCols(3 * (j + 1), 3);
+        Index row = 0, column = 0;
+        mode.cwiseAbs().maxCoeff(&row, &column);
+        if (mode(row, column) < 0) mode = -mode;
+    }
+    return known;
+}
+
 }  // namespace
 
 Matrix extend_smoothly(const TriMesh& mesh, const Matrix& known, double length_mm,
@@ -91,7 +217,7 @@ Matrix extend_smoothly(const TriMesh& mesh, const Matrix& known, double length_m
              "the modes cannot be continued over the template's other vertices");
     const Matrix right = -(coupling * known);
     all.bottomRows(missing) = solver.solve(right);
-    if (!all.allFinite())
+    if (solver.info() != Eigen::Success || !all.allFinite())
         fail(Status::no_solution,
              "the modes cannot be continued over the template's other vertices");
     return all;
@@ -111,90 +237,21 @@ PointDistribution train_point_distribution(const FaceDataset& faces, const TriMe
         fail(Status::invalid_argument,
              "principal modes need at least two %sfaces, the dataset has %lld",
              options.all_expressions ? "" : "neutral ", static_cast<long long>(s));
-    const Index nd = faces.num_vertices(), rows = 3 * nd;
+    const Index nd = faces.num_vertices();
     context.require_memory(
         static_cast<std::size_t>(s) * static_cast<std::size_t>(3 * s + kSliceRows) * 8,
         "principal modes of the faces");
-    const std::vector<Similarity> motion =
-        motions(faces, chosen, template_mesh, options.align, context);
-
-    // A slice holds some vertices of all faces, less the template and the mean.
-    Vector mean = Vector::Zero(rows);
-    Points face;
-    for (std::size_t k = 0; k < chosen.size(); ++k) {
-        context.progress(Stage::training, 0.2 * static_cast<double>(k) / static_cast<double>(s));
-        faces.face(chosen[k], face);
-        if (options.align) face = motion[k].apply(face);
-        for (Index v = 0; v < nd; ++v)
-            for (int c = 0; c < 3; ++c)
-                mean[3 * v + c] +=
-                    (face(v, c) - template_mesh.vertices(v, c)) / static_cast<double>(s);
-    }
-    if (!mean.allFinite())
-        fail(Status::corrupt, "the dataset holds coordinates that are not finite");
-    const auto slice = [&](Index first, Index count) {
-        Matrix values(count, s);
-        Points all;
-        for (Index k = 0; k < s; ++k) {
-            faces.face(chosen[static_cast<std::size_t>(k)], all);
-            if (options.align) all = motion[static_cast<std::size_t>(k)].apply(all);
-            for (Index i = 0; i < count; ++i) {
-                const Index v = (first + i) / 3, c = (first + i) % 3;
-                values(i, k) = all(v, c) - template_mesh.vertices(v, c) - mean[first + i];
-            }
-        }
-        return values;
-    };
-    Matrix gram = Matrix::Zero(s, s), part(s, s);
-    for (Index first = 0; first < rows; first += kSliceRows) {
-        context.progress(Stage::training,
-                         0.2 + 0.4 * static_cast<double>(first) / static_cast<double>(rows));
-        dense::weighted_gram(context, slice(first, std::min(kSliceRows, rows - first)), Vector(),
-                             part);
-        gram += part;
-    }
-    gram /= static_cast<double>(s - 1);
-    const Eigen::SelfAdjointEigenSolver<Matrix> solver(gram);
-    if (solver.info() != Eigen::Success || !solver.eigenvalues().allFinite())
-        fail(Status::no_solution, "the principal modes of the faces did not converge");
-    const Vector variances = solver.eigenvalues().reverse().cwiseMax(0.0);
-    const double total = variances.sum();
-    if (!(total > 0)) fail(Status::invalid_argument, "all faces of the dataset are the same");
-    Index p = 0;
-    double kept = 0;
-    const Index most = options.num_modes > 0 ? std::min(options.num_modes, s - 1) : s - 1;
-    while (p < most && variances[p] > 1e-12 * variances[0] &&
-           (options.num_modes > 0 || kept < options.variance * total))
-        kept += variances[p++];
-
+    Displacements displacements(faces, template_mesh, std::move(chosen), options.align, context);
+    const Vector& mean = displacements.find_mean(context);
+    const GramModes principal = solve_gram(displacements, options, context);
     PointDistribution result;
     result.num_faces = s;
     result.num_vertices = nd;
-    result.variances = variances.head(p);
-    result.variance_explained = kept / total;
-    // Columns per vertex: x, y, z of the mean, then of every mode, so that one solve extends all.
-    Matrix known(nd, 3 * (p + 1));
-    for (Index v = 0; v < nd; ++v)
-        for (int c = 0; c < 3; ++c) known(v, c) = mean[3 * v + c];
-    const Matrix head = solver.eigenvectors().rowwise().reverse().leftCols(p) /
-                        std::sqrt(static_cast<double>(s - 1));
-    for (Index first = 0; first < rows; first += kSliceRows) {
-        context.progress(Stage::training,
-                         0.6 + 0.4 * static_cast<double>(first) / static_cast<double>(rows));
-        const Index count = std::min(kSliceRows, rows - first);
-        const Matrix modes = slice(first, count) * head;
-        for (Index i = 0; i < count; ++i)
-            for (Index j = 0; j < p; ++j)
-                known((first + i) / 3, 3 * (j + 1) + (first + i) % 3) = modes(i, j);
-    }
-    for (Index j = 0; j < p; ++j) {
-        auto mode = known.middleCols(3 * (j + 1), 3);
-        Index row = 0, column = 0;
-        mode.cwiseAbs().maxCoeff(&row, &column);
-        if (mode(row, column) < 0) mode = -mode;
-    }
+    result.variances = principal.variances;
+    result.variance_explained = principal.kept_share;
+    const Matrix known = mean_and_modes(displacements, mean, principal.coefficients, context);
     const Matrix all = extend_smoothly(template_mesh, known, options.extension_mm, context);
-    const Index n = template_mesh.vertices.rows();
+    const Index n = template_mesh.vertices.rows(), p = principal.variances.size();
     result.mean = all.leftCols(3);
     result.modes.resize(3 * n, p);
     for (Index j = 0; j < p; ++j)

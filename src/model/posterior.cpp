@@ -43,6 +43,42 @@ void check(const DeformationModel& model, const std::vector<LandmarkObservation>
             "correlation 0");
 }
 
+/// The model at the landmarks, every row divided by the landmark's noise.
+struct SeenModel {
+    Matrix basis;               ///< F, h x r
+    Matrix modes[3];            ///< of x, y and z, h x p
+    Matrix displacement;        ///< h x 3, less the mean
+    Matrix covariance;          ///< C = I + F F' of what is seen, in units of the noise
+    Eigen::LLT<Matrix> factor;  ///< of C
+};
+
+SeenModel look_at(const DeformationModel& model,
+                  const std::vector<LandmarkObservation>& observations) {
+    const Index h = static_cast<Index>(observations.size()), r = model.basis.cols,
+                p = model.pca_modes.cols;
+    const auto basis = model.basis.map();
+    const auto modes = model.pca_modes.map();
+    SeenModel seen;
+    seen.basis.resize(h, r);
+    seen.displacement.resize(h, 3);
+    for (Matrix& matrix : seen.modes) matrix.resize(h, p);
+    for (Index i = 0; i < h; ++i) {
+        const LandmarkObservation& o = observations[static_cast<std::size_t>(i)];
+        const Index v = static_cast<Index>(o.vertex);
+        seen.basis.row(i) = basis.row(v).cast<double>() / o.noise_mm;
+        seen.displacement.row(i) = o.displacement_mm.transpose() / o.noise_mm;
+        if (model.mean_displacement.rows() != 0)
+            seen.displacement.row(i) -= model.mean_displacement.row(v) / o.noise_mm;
+        for (int c = 0; c < 3; ++c)
+            seen.modes[c].row(i) = modes.row(3 * v + c).cast<double>() / o.noise_mm;
+    }
+    seen.covariance = Matrix::Identity(h, h) + seen.basis * seen.basis.transpose();
+    seen.factor.compute(seen.covariance);
+    if (seen.factor.info() != Eigen::Success)
+        fail(Status::no_solution, "the landmarks' covariance is not positive definite");
+    return seen;
+}
+
 /// Symmetric square root of a positive definite matrix.
 Matrix square_root(const Matrix& matrix) {
     const Eigen::SelfAdjointEigenSolver<Matrix> solver(matrix);
@@ -52,6 +88,51 @@ Matrix square_root(const Matrix& matrix) {
            solver.eigenvectors().transpose();
 }
 
+/// Marginal posterior of the vector modes' coefficients c ~ N(mean, root root').
+struct VectorPosterior {
+    Vector mean;
+    Matrix root;
+};
+
+VectorPosterior vector_posterior(const SeenModel& seen) {
+    const Index p = seen.modes[0].cols();
+    if (p == 0) return {Vector(), Matrix()};
+    Matrix precision = Matrix::Identity(p, p);
+    Vector right = Vector::Zero(p);
+    for (int c = 0; c < 3; ++c) {
+        const Matrix solved = seen.factor.solve(seen.modes[c]);
+        precision += seen.modes[c].transpose() * solved;
+        right += solved.transpose() * seen.displacement.col(c);
+    }
+    const Eigen::LLT<Matrix> factor(precision);
+    if (factor.info() != Eigen::Success)
+        fail(Status::no_solution, "the vector modes' precision is not positive definite");
+    const Matrix covariance = factor.solve(Matrix::Identity(p, p));
+    return {covariance * right, square_root(covariance)};
+}
+
+/// Phi S^1/2 with S = (I + F'F)^-1 and without any r x r eigenproblem: F'F has the eigenvalues
+/// that C = I + F F' has above 1, and S^1/2 shrinks their directions alone.
+Matrix shrunk_basis(const SeenModel& seen, const Matrix& full, const Context& context) {
+    const Index h = seen.covariance.rows();
+    const Eigen::SelfAdjointEigenSolver<Matrix> eigen(seen.covariance);
+    if (eigen.info() != Eigen::Success)
+        fail(Status::no_solution, "the landmarks' covariance did not converge");
+    // Eigenvalues are 1 + D; directions with D = 0 lie outside the basis' reach.
+    const Vector d = (eigen.eigenvalues().array() - 1).max(0.0);
+    Vector shrink(h), inverse_length(h);
+    for (Index i = 0; i < h; ++i) {
+        const bool counts = d[i] > 1e-12 * d[h - 1] && d[i] > 0;
+        shrink[i] = counts ? 1 - 1 / std::sqrt(1 + d[i]) : 0;
+        inverse_length[i] = counts ? 1 / std::sqrt(d[i]) : 0;
+    }
+    const Matrix v = seen.basis.transpose() * eigen.eigenvectors() * inverse_length.asDiagonal();
+    Matrix reduced = full;
+    const Matrix along = full * v * shrink.asDiagonal();
+    dense::multiply(context, -1.0, along, dense::Op::none, v, dense::Op::transpose, 1.0, reduced);
+    return reduced;
+}
+
 }  // namespace
 
 std::shared_ptr<const DeformationModel> condition_model(
@@ -59,51 +140,17 @@ std::shared_ptr<const DeformationModel> condition_model(
     const Context& context) {
     check(model, observations);
     const Index n = model.num_vertices(), r = model.basis.cols, p = model.pca_modes.cols;
-    const Index h = static_cast<Index>(observations.size());
     context.require_memory(
         static_cast<std::size_t>(n) * static_cast<std::size_t>(2 * r + 3 * p) * 12,
         "a posterior model");
     context.progress(Stage::basis, 0);
-    const auto basis = model.basis.map();
-    const auto modes = model.pca_modes.map();
-
-    // Everything at the landmarks, divided by their noise.
-    Matrix f(h, r), seen(h, 3);
-    Matrix p_seen[3] = {Matrix(h, p), Matrix(h, p), Matrix(h, p)};
-    for (Index i = 0; i < h; ++i) {
-        const LandmarkObservation& o = observations[static_cast<std::size_t>(i)];
-        const Index v = static_cast<Index>(o.vertex);
-        f.row(i) = basis.row(v).cast<double>() / o.noise_mm;
-        seen.row(i) = o.displacement_mm.transpose() / o.noise_mm;
-        if (model.mean_displacement.rows() != 0)
-            seen.row(i) -= model.mean_displacement.row(v) / o.noise_mm;
-        for (int c = 0; c < 3; ++c)
-            p_seen[c].row(i) = modes.row(3 * v + c).cast<double>() / o.noise_mm;
-    }
-    // C = I + F F' is the covariance of what is seen, in units of the noise.
-    const Matrix covariance = Matrix::Identity(h, h) + f * f.transpose();
-    const Eigen::LLT<Matrix> factor(covariance);
-    if (factor.info() != Eigen::Success)
-        fail(Status::no_solution, "the landmarks' covariance is not positive definite");
-
-    // Vector modes first, by their marginal posterior.
-    Vector c_mean = Vector::Zero(p);
-    Matrix c_root = Matrix::Identity(p, p);
-    if (p != 0) {
-        Matrix precision = Matrix::Identity(p, p);
-        Vector right = Vector::Zero(p);
-        for (int c = 0; c < 3; ++c) {
-            const Matrix solved = factor.solve(p_seen[c]);
-            precision += p_seen[c].transpose() * solved;
-            right += solved.transpose() * seen.col(c);
-        }
-        const Matrix c_covariance = precision.llt().solve(Matrix::Identity(p, p));
-        c_mean = c_covariance * right;
-        c_root = square_root(c_covariance);
-    }
-    Matrix rest = seen;
-    for (int c = 0; c < 3; ++c) rest.col(c) -= p_seen[c] * c_mean;
-    const Matrix a_mean = f.transpose() * factor.solve(rest);
+    const SeenModel seen = look_at(model, observations);
+    // Vector modes first; what they leave of the landmarks is the kernel's.
+    const VectorPosterior c_posterior = vector_posterior(seen);
+    Matrix rest = seen.displacement;
+    if (p != 0)
+        for (int c = 0; c < 3; ++c) rest.col(c) -= seen.modes[c] * c_posterior.mean;
+    const Matrix a_mean = seen.basis.transpose() * seen.factor.solve(rest);
 
     auto storage = std::make_shared<Storage>();
     auto result = std::make_shared<DeformationModel>();
@@ -111,43 +158,28 @@ std::shared_ptr<const DeformationModel> condition_model(
     result->landmarks = model.landmarks;
     result->zones = model.zones;
     result->info = model.info;
-    result->info["posterior_landmarks"] = std::to_string(h);
-    const Matrix full = basis.cast<double>();
+    result->info["posterior_landmarks"] = std::to_string(observations.size());
+    const Matrix full = model.basis.map().cast<double>();
     Points mean =
         model.mean_displacement.rows() != 0 ? model.mean_displacement : Points::Zero(n, 3);
     mean += full * a_mean;
     storage->pca_modes.resize(3 * n, p);
     if (p != 0) {
+        const auto modes = model.pca_modes.map();
         for (int c = 0; c < 3; ++c) {
-            const Matrix bend = full * (f.transpose() * factor.solve(p_seen[c]));  // Phi B
+            const Matrix bend =
+                full * (seen.basis.transpose() * seen.factor.solve(seen.modes[c]));  // Phi B
             Matrix own(n, p);
             for (Index v = 0; v < n; ++v) own.row(v) = modes.row(3 * v + c).cast<double>();
-            mean.col(c) += own * c_mean;
-            own = ((own - bend) * c_root).eval();
+            mean.col(c) += own * c_posterior.mean;
+            own = ((own - bend) * c_posterior.root).eval();
             for (Index v = 0; v < n; ++v)
                 storage->pca_modes.row(3 * v + c) = own.row(v).cast<float>();
         }
     }
     context.progress(Stage::basis, 0.3);
-
     if (r != 0) {
-        // Phi S^1/2 without any r x r eigenproblem.
-        const Eigen::SelfAdjointEigenSolver<Matrix> eigen(covariance);
-        if (eigen.info() != Eigen::Success)
-            fail(Status::no_solution, "the landmarks' covariance did not converge");
-        // eigenvalues are 1 + D; directions with D = 0 lie outside the basis' reach.
-        const Vector d = (eigen.eigenvalues().array() - 1).max(0.0);
-        Vector shrink(h), inverse_length(h);
-        for (Index i = 0; i < h; ++i) {
-            const bool counts = d[i] > 1e-12 * d[h - 1] && d[i] > 0;
-            shrink[i] = counts ? 1 - 1 / std::sqrt(1 + d[i]) : 0;
-            inverse_length[i] = counts ? 1 / std::sqrt(d[i]) : 0;
-        }
-        const Matrix v = f.transpose() * eigen.eigenvectors() * inverse_length.asDiagonal();
-        Matrix reduced = full;
-        const Matrix along = full * v * shrink.asDiagonal();
-        dense::multiply(context, -1.0, along, dense::Op::none, v, dense::Op::transpose, 1.0,
-                        reduced);
+        const Matrix reduced = shrunk_basis(seen, full, context);
         RankOptions rank;
         rank.num_modes = r;
         LowRankBasis principal =
