@@ -4,11 +4,11 @@
 
 #include "arrays.hpp"
 #include "guard.hpp"
+#include "learning/blendshapes.hpp"
 #include "mesh/dataset.hpp"
 #include "options.hpp"
 #include "session.hpp"
 #include "spectral.hpp"
-#include "learning/blendshapes.hpp"
 #include "spectral/deformation_transfer.hpp"
 
 using namespace mien;

@@ -2,6 +2,7 @@
 #include "learning/hierarchy.hpp"
 #include "arrays.hpp"
 #include "guard.hpp"
+#include "options.hpp"
 #include "session.hpp"
 #include "spectral.hpp"
 #include "spectral/deformation_representation.hpp"
@@ -95,8 +96,7 @@ mien_status MIEN_CALL mien_hierarchy_apply(const mien_hierarchy* hierarchy, uint
         const MeshLevel& data = level_of(*checked(hierarchy, "hierarchy").data, level);
         if (level == 0)
             fail(Status::invalid_argument, "level 0 has no maps; level names the coarser one");
-        if (direction != MIEN_MAP_DOWN && direction != MIEN_MAP_UP)
-            fail(Status::invalid_argument, "direction is %d, allowed are 1 and 2", direction);
+        check_choice(direction, MIEN_MAP_DOWN, MIEN_MAP_UP, "direction");
         const RowSparse& map = direction == MIEN_MAP_DOWN ? data.down : data.up;
         if (channel_count < 1 || channel_count > 4096)
             fail(Status::invalid_argument, "channel_count is %llu, allowed are 1 to 4096",

@@ -37,9 +37,7 @@ mien_measure_options default_measure_options() {
 mien_measure_options read_measure_options(const mien_measure_options* given) {
     const mien_measure_options options = read_options(
         given, default_measure_options(), MIEN_FIRST_SIZE(mien_measure_options, cancel), "options");
-    if (options.skip_borders != 0 && options.skip_borders != 1)
-        fail(Status::unsupported_option, "options.skip_borders is %d, allowed are 0 and 1",
-             options.skip_borders);
+    (void)read_switch(options.skip_borders, "options.skip_borders");
     check_numbers({{"correlation_length_mm", options.correlation_length_mm},
                    {"alignment_rotation_sd_rad", options.alignment_rotation_sd_rad},
                    {"alignment_translation_sd_mm", options.alignment_translation_sd_mm},
@@ -157,11 +155,10 @@ mien_status MIEN_CALL mien_measure_closed_volume(mien_session* session, const mi
         const TriMesh& data = *checked(mesh, "mesh").mesh;
         const Call call(session);
         if (volume_ml == nullptr) fail(Status::invalid_argument, "volume_ml is null");
-        if (close_rims != 0 && close_rims != 1)
-            fail(Status::invalid_argument, "close_rims is %d, allowed are 0 and 1", close_rims);
-        const double volume = closed_volume_ml(
-            data.vertices, data.triangles,
-            close_rims == 1 ? OpenRims::fan_to_centroid : OpenRims::refuse, call.context());
+        const bool close = read_switch(close_rims, "close_rims");
+        const double volume =
+            closed_volume_ml(data.vertices, data.triangles,
+                             close ? OpenRims::fan_to_centroid : OpenRims::refuse, call.context());
         store(volume_ml, volume);
     });
 }
@@ -190,13 +187,12 @@ mien_status MIEN_CALL mien_measure_curvature(mien_session* session, const mien_m
         const TriMesh& data = *checked(mesh, "mesh").mesh;
         const Call call(session, given.progress, given.progress_user, given.cancel);
         check_numbers({{"radius_mm", radius_mm}});
-        if (robust != 0 && robust != 1)
-            fail(Status::invalid_argument, "robust is %d, allowed are 0 and 1", robust);
+        const bool fit_robustly = read_switch(robust, "robust");
         const std::vector<Zone> zones = zones_of(given, data);
         Measurement result;
         for (const Zone& zone : zones) result.zone_names.push_back(zone.name);
         result.curvature = measure_curvature(data.vertices, data.triangles, zones,
-                                             {radius_mm, robust == 1}, call.context());
+                                             {radius_mm, fit_robustly}, call.context());
         return new mien_measurement(std::move(result));
     });
 }
@@ -235,8 +231,7 @@ mien_status MIEN_CALL mien_measure_scan_volume(mien_session* session, const mien
         const TriMesh& first = *checked(before, "before").mesh;
         const TriMesh& second = *checked(after, "after").mesh;
         const Call call(session, given.progress, given.progress_user, given.cancel);
-        if (carry < MIEN_CARRY_CLOSEST_POINT || carry > MIEN_CARRY_VERTEX_NORMAL)
-            fail(Status::unsupported_option, "carry is %d, which is unknown", carry);
+        check_choice(carry, MIEN_CARRY_CLOSEST_POINT, MIEN_CARRY_VERTEX_NORMAL, "carry");
         check_output(direction, "direction");
         if (carry == MIEN_CARRY_DIRECTION && direction == nullptr)
             fail(Status::invalid_argument, "direction is null");

@@ -51,15 +51,8 @@ mien_model_options default_model_options() {
     return options;
 }
 
-bool read_flag(std::int32_t value, const char* name) {
-    if (value != 0 && value != 1)
-        fail(Status::unsupported_option, "options.%s is %d, allowed are 0 and 1", name, value);
-    return value == 1;
-}
-
 KernelKind read_kind(std::int32_t kind) {
-    if (kind < MIEN_KERNEL_EUCLIDEAN_SE || kind > MIEN_KERNEL_SURFACE_MATERN)
-        fail(Status::unsupported_option, "kernel %d is unknown; use one of MIEN_KERNEL_...", kind);
+    check_choice(kind, MIEN_KERNEL_EUCLIDEAN_SE, MIEN_KERNEL_SURFACE_MATERN, "kernel");
     return static_cast<KernelKind>(kind);
 }
 
@@ -119,17 +112,17 @@ ModelOptions read_model_options(const mien_model_options& given) {
     options.tolerance = given.tolerance;
     options.num_control_points = given.num_control_points;
     options.eigenvalue_threshold = given.eigenvalue_threshold;
-    options.mirror_symmetric = read_flag(given.mirror_symmetric, "mirror_symmetric");
+    options.mirror_symmetric = read_switch(given.mirror_symmetric, "options.mirror_symmetric");
     options.mirror_correlation = given.mirror_correlation;
     options.heat.time_factor = given.heat_time_factor;
-    if (given.heat_boundary < MIEN_HEAT_NEUMANN || given.heat_boundary > MIEN_HEAT_AVERAGE)
-        fail(Status::unsupported_option, "options.heat_boundary is %d; use one of MIEN_HEAT_...",
-             given.heat_boundary);
+    check_choice(given.heat_boundary, MIEN_HEAT_NEUMANN, MIEN_HEAT_AVERAGE,
+                 "options.heat_boundary");
     options.heat.boundary = static_cast<HeatBoundary>(given.heat_boundary);
     options.pca.num_modes = given.pca_modes;
     options.pca.variance = given.pca_variance;
-    options.pca.all_expressions = read_flag(given.pca_all_expressions, "pca_all_expressions");
-    options.pca.align = read_flag(given.pca_align, "pca_align");
+    options.pca.all_expressions =
+        read_switch(given.pca_all_expressions, "options.pca_all_expressions");
+    options.pca.align = read_switch(given.pca_align, "options.pca_align");
     if (given.scale_per_vertex.count != 0)
         options.scale_per_vertex = read_values(given.scale_per_vertex, "options.scale_per_vertex");
     return options;

@@ -81,4 +81,19 @@ inline void check_numbers(std::initializer_list<NamedNumber> numbers,
             fail(Status::invalid_argument, "%s.%s is not a number", options, number.name);
 }
 
+/// One status for one kind of mistake: a switch or an enumerator that this library does not know is
+/// unsupported_option, as an option or as an argument, since a later library may know it. Numbers
+/// out of their range are invalid_argument.
+inline bool read_switch(std::int32_t value, const char* name) {
+    if (value != 0 && value != 1)
+        fail(Status::unsupported_option, "%s is %d, allowed are 0 and 1", name, value);
+    return value == 1;
+}
+inline void check_choice(std::int32_t value, std::int32_t first, std::int32_t last,
+                         const char* name) {
+    if (value < first || value > last)
+        fail(Status::unsupported_option, "%s is %d, allowed are %d to %d", name, value, first,
+             last);
+}
+
 }  // namespace mien::abi

@@ -3,10 +3,11 @@
 
 #include "arrays.hpp"
 #include "guard.hpp"
+#include "learning/face_features.hpp"
 #include "mesh/dataset.hpp"
+#include "options.hpp"
 #include "session.hpp"
 #include "spectral.hpp"
-#include "learning/face_features.hpp"
 
 using namespace mien;
 using namespace mien::abi;
@@ -33,31 +34,52 @@ std::optional<Similarity> read_motion(const double* motion) {
     return result;
 }
 
+mien_representation* train(const char* dataset_path, std::int32_t kind, bool neutral_only,
+                           const Context& context) {
+    check_choice(kind, MIEN_FEATURES_EUCLIDEAN, MIEN_FEATURES_DEFORMATION_STANDARDISED, "kind");
+    const FaceDataset data =
+        FaceDataset::open(checked_text(dataset_path, "dataset_path"), {}, context);
+    std::vector<Index> chosen;
+    for (Index k = 0; k < data.num_faces(); ++k)
+        if (!neutral_only || data.expression(k) == data.neutral_expression()) chosen.push_back(k);
+    if (chosen.empty()) fail(Status::not_found, "the dataset has no neutral face");
+    FaceSource source;
+    source.count = static_cast<Index>(chosen.size());
+    source.face = [&](Index k, Points& face) {
+        data.face(chosen[static_cast<std::size_t>(k)], face);
+    };
+    return new mien_representation(
+        FaceFeatures::train(data.triangles(), source, static_cast<FeatureKind>(kind), context));
+}
+
 }  // namespace
 
 extern "C" {
+
+void MIEN_CALL mien_representation_options_init(mien_representation_options* options,
+                                                size_t struct_size) {
+    write_defaults(options, struct_size, mien_representation_options{});
+}
+
+mien_status MIEN_CALL mien_representation_train_with_options(
+    mien_session* session, const char* dataset_path, int32_t kind,
+    const mien_representation_options* options, mien_representation** out, mien_error* error) {
+    return guarded_create(out, error, [&] {
+        const mien_representation_options given =
+            read_options(options, mien_representation_options{},
+                         MIEN_FIRST_SIZE(mien_representation_options, cancel), "options");
+        const bool neutral_only = read_switch(given.neutral_only, "options.neutral_only");
+        const Call call(session, given.progress, given.progress_user, given.cancel);
+        return train(dataset_path, kind, neutral_only, call.context());
+    });
+}
 
 mien_status MIEN_CALL mien_representation_train(mien_session* session, const char* dataset_path,
                                                 int32_t kind, int32_t neutral_only,
                                                 mien_representation** out, mien_error* error) {
     return guarded_create(out, error, [&] {
         const Call call(session);
-        if (neutral_only != 0 && neutral_only != 1)
-            fail(Status::invalid_argument, "neutral_only is %d, allowed are 0 and 1", neutral_only);
-        const FaceDataset data =
-            FaceDataset::open(checked_text(dataset_path, "dataset_path"), {}, call.context());
-        std::vector<Index> chosen;
-        for (Index k = 0; k < data.num_faces(); ++k)
-            if (neutral_only == 0 || data.expression(k) == data.neutral_expression())
-                chosen.push_back(k);
-        if (chosen.empty()) fail(Status::not_found, "the dataset has no neutral face");
-        FaceSource source;
-        source.count = static_cast<Index>(chosen.size());
-        source.face = [&](Index k, Points& face) {
-            data.face(chosen[static_cast<std::size_t>(k)], face);
-        };
-        return new mien_representation(FaceFeatures::train(
-            data.triangles(), source, static_cast<FeatureKind>(kind), call.context()));
+        return train(dataset_path, kind, read_switch(neutral_only, "neutral_only"), call.context());
     });
 }
 

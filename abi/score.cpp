@@ -38,10 +38,7 @@ mien_score_options default_score_options() {
 ScoreOptions read_score_options(const mien_score_options& given, Index num_vertices) {
     if (given.reserved != 0 || given.reserved2 != 0)
         fail(Status::unsupported_option, "options.reserved is not zero");
-    if (given.focus > 1)
-        fail(Status::unsupported_option, "options.focus is %u; it is 0 or 1", given.focus);
-    if (given.method != MIEN_PLS_NIPALS && given.method != MIEN_PLS_SIMPLS)
-        fail(Status::unsupported_option, "options.method is %d, which is unknown", given.method);
+    check_choice(given.method, MIEN_PLS_NIPALS, MIEN_PLS_SIMPLS, "options.method");
     check_numbers({{"curvature_share", given.curvature_share},
                    {"curvature_radius_mm", given.curvature_radius_mm},
                    {"lowest", given.lowest},
@@ -52,7 +49,7 @@ ScoreOptions read_score_options(const mien_score_options& given, Index num_verti
     options.max_components = given.max_components;
     options.folds = given.folds;
     options.seed = given.seed;
-    options.focus = given.focus != 0;
+    options.focus = read_switch(static_cast<std::int32_t>(given.focus), "options.focus");
     options.curvature_share = given.curvature_share;
     options.curvature_radius_mm = given.curvature_radius_mm;
     options.lowest = given.lowest;

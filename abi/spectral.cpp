@@ -20,11 +20,9 @@ mien_spectral_basis_options default_basis_options() {
 SpectralBasisOptions basis_settings(const mien_spectral_basis_options& given) {
     SpectralBasisOptions settings;
     settings.num_modes = given.mode_count;
-    if (given.mass < MIEN_MASS_MIXED_VORONOI || given.mass > MIEN_MASS_NONE)
-        fail(Status::unsupported_option, "options.mass is %d", given.mass);
-    if (given.cotangents < MIEN_COTANGENTS_INTRINSIC_DELAUNAY ||
-        given.cotangents > MIEN_COTANGENTS_KEEP)
-        fail(Status::unsupported_option, "options.cotangents is %d", given.cotangents);
+    check_choice(given.mass, MIEN_MASS_MIXED_VORONOI, MIEN_MASS_NONE, "options.mass");
+    check_choice(given.cotangents, MIEN_COTANGENTS_INTRINSIC_DELAUNAY, MIEN_COTANGENTS_KEEP,
+                 "options.cotangents");
     settings.with_mass = given.mass != MIEN_MASS_NONE;
     settings.laplacian.mass =
         given.mass == MIEN_MASS_BARYCENTRIC ? MassKind::barycentric : MassKind::mixed_voronoi;
@@ -193,6 +191,7 @@ mien_status MIEN_CALL mien_metric(mien_session* session, int32_t metric, const m
                       &b = *checked(other, "other").mesh;
         const Call call(session);
         if (value == nullptr) fail(Status::invalid_argument, "value is null");
+        check_choice(metric, MIEN_METRIC_L1, MIEN_METRIC_FMPD, "metric");
         switch (metric) {
             case MIEN_METRIC_L1:
                 store(value, l1_distance(a.vertices, b.vertices));
@@ -206,11 +205,9 @@ mien_status MIEN_CALL mien_metric(mien_session* session, int32_t metric, const m
             case MIEN_METRIC_DAME:
                 store(value, dame(a, b, call.context()));
                 break;
-            case MIEN_METRIC_FMPD:
+            default:
                 store(value, fmpd(a, b, call.context()));
                 break;
-            default:
-                fail(Status::invalid_argument, "metric is %d, allowed are 1 to 5", metric);
         }
     });
 }

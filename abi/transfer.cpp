@@ -5,6 +5,7 @@
 #include "guard.hpp"
 #include "mesh.hpp"
 #include "model.hpp"
+#include "options.hpp"
 #include "registration/transfer.hpp"
 #include "session.hpp"
 
@@ -93,8 +94,7 @@ mien_status MIEN_CALL mien_surface_transfer_json(mien_session* session, const mi
         const TriMesh& source = *checked(fitted, "fitted").mesh;
         const TriMesh& target = *checked(scan, "scan").mesh;
         const Call call(session);
-        if (what != MIEN_TRANSFER_LANDMARKS && what != MIEN_TRANSFER_ZONES)
-            fail(Status::invalid_argument, "what is %d, allowed are 1 and 2", what);
+        check_choice(what, MIEN_TRANSFER_LANDMARKS, MIEN_TRANSFER_ZONES, "what");
         if (source.vertices.rows() != face.num_vertices())
             fail(Status::mismatch, "the fitted mesh has %lld vertices, the model's template %lld",
                  static_cast<long long>(source.vertices.rows()),

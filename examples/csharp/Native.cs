@@ -448,6 +448,16 @@ namespace Mien.Native
     }
 
     [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct RepresentationOptions
+    {
+        public uint structSize;
+        public int neutralOnly;
+        public IntPtr progress;
+        public IntPtr progressUser;
+        public IntPtr cancel;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     internal unsafe struct ScoreOptions
     {
         public uint structSize;
@@ -1900,6 +1910,22 @@ namespace Mien.Native
 #else
         [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int mien_representation_train(SessionHandle session, byte[] dataset_path, int kind, int neutral_only, out RepresentationHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_representation_options_init(ref RepresentationOptions options, UIntPtr struct_size);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_representation_options_init(ref RepresentationOptions options, UIntPtr struct_size);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_representation_train_with_options(SessionHandle session, byte[] dataset_path, int kind, ref RepresentationOptions options, out RepresentationHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_representation_train_with_options(SessionHandle session, byte[] dataset_path, int kind, ref RepresentationOptions options, out RepresentationHandle @out, ref Error error);
 #endif
 
 #if NET7_0_OR_GREATER

@@ -18,7 +18,7 @@ enum {
     MIEN_E_INVALID_MESH = -3,     /**< empty, not finite, index out of range, degenerate */
     MIEN_E_BUFFER_TOO_SMALL = -4, /**< the count was written, nothing else */
     MIEN_E_UNSUPPORTED_OPTION =
-        -5, /**< an options struct asks for what this library does not know */
+        -5, /**< an option, a switch or an enumerator that this library does not know */
     MIEN_E_UNSUPPORTED_VERSION = -6, /**< ABI or file format of another major version */
     MIEN_E_NO_MEMORY = -7,           /**< an allocation failed; the session stays usable */
     MIEN_E_MEMORY_BUDGET = -8,       /**< the session's max_bytes would be exceeded */

@@ -148,8 +148,9 @@ enum {
  * @param capacity      [in] rows that dst holds.
  * @param count         [out] may be null; vertices of the level that the map ends at.
  * @param error         [out] may be null.
- * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_BUFFER_TOO_SMALL (dst untouched,
- * count written), MIEN_E_MISMATCH (row_count), MIEN_E_NO_MEMORY
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (direction),
+ * MIEN_E_BUFFER_TOO_SMALL (dst untouched, count written), MIEN_E_MISMATCH (row_count),
+ * MIEN_E_NO_MEMORY
  * @owner  nothing
  * @thread thread-safe
  * @cancel no

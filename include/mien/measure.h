@@ -180,8 +180,9 @@ MIEN_API mien_status MIEN_CALL mien_measure_surface_distance(
  * open mesh is an error.
  * @param volume_ml  [out] not null; mL, positive when the triangles face outwards.
  * @param error      [out] may be null.
- * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (open, not manifold
- * or not oriented: the message counts the edges), MIEN_E_NO_MEMORY
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (close_rims),
+ * MIEN_E_INVALID_MESH (open, not manifold or not oriented: the message counts the edges),
+ * MIEN_E_NO_MEMORY
  * @owner  nothing
  * @thread externally synchronized by session
  * @cancel no
@@ -223,8 +224,8 @@ MIEN_API mien_status MIEN_CALL mien_measure_area(mien_session* session, const mi
  * @param out       [out] not null; the measurement, or null on failure. Its JSON holds the zones'
  * means.
  * @param error     [out] may be null.
- * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH
- * (zones), MIEN_E_NO_MEMORY, MIEN_E_CANCELLED
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (robust),
+ * MIEN_E_INVALID_MESH, MIEN_E_MISMATCH (zones), MIEN_E_NO_MEMORY, MIEN_E_CANCELLED
  * @owner  the caller releases *out with mien_measurement_release()
  * @thread externally synchronized by session
  * @cancel yes

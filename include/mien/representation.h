@@ -24,7 +24,7 @@ enum {
 };
 
 /**
- * Learns the mean shape, scale and statistics of a dataset's faces.
+ * mien_representation_train_with_options() without progress and cancel.
  *
  * @param session      [in] not null.
  * @param dataset_path [in] UTF-8, not null; a dataset file.
@@ -32,9 +32,9 @@ enum {
  * @param neutral_only [in] 1: only the faces marked neutral; 0: all.
  * @param out          [out] not null; the representation, or null on failure.
  * @param error        [out] may be null.
- * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_BAD_FORMAT,
- * MIEN_E_CORRUPT, MIEN_E_NOT_FOUND (no neutral face), MIEN_E_NO_SOLUTION, MIEN_E_MEMORY_BUDGET,
- * MIEN_E_NO_MEMORY
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (kind,
+ * neutral_only), MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_NOT_FOUND (no neutral face),
+ * MIEN_E_NO_SOLUTION, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY
  * @owner  the caller releases *out with mien_representation_release()
  * @thread externally synchronized by session
  * @cancel no
@@ -47,6 +47,54 @@ MIEN_API mien_status MIEN_CALL mien_representation_train(mien_session* session,
                                                          int32_t neutral_only,
                                                          mien_representation** out,
                                                          mien_error* error);
+
+/** How to train; initialise with mien_representation_options_init(). */
+typedef struct mien_representation_options {
+    uint32_t struct_size;
+    int32_t neutral_only;      /**< 1: only the faces marked neutral; default 0: all */
+    mien_progress_fn progress; /**< may be null */
+    void* progress_user;
+    mien_cancel* cancel; /**< may be null */
+} mien_representation_options;
+
+/**
+ * Writes the defaults into the first struct_size bytes of *options and zeroes what it does not
+ * know.
+ *
+ * @param options     [out] not null.
+ * @param struct_size [in] sizeof(mien_representation_options) of the caller.
+ * @errors none (does nothing when options is null or struct_size is below 4)
+ * @owner  nothing
+ * @thread thread-safe
+ * @cancel no
+ * @cost   O(1)
+ * @since  0.2
+ */
+MIEN_API void MIEN_CALL mien_representation_options_init(mien_representation_options* options,
+                                                         size_t struct_size);
+
+/**
+ * Learns the mean shape, scale and statistics of a dataset's faces, with progress and cancel.
+ *
+ * @param session      [in] not null.
+ * @param dataset_path [in] UTF-8, not null; a dataset file.
+ * @param kind         [in] MIEN_FEATURES_...
+ * @param options      [in] may be null: all faces.
+ * @param out          [out] not null; the representation, or null on failure.
+ * @param error        [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (kind,
+ * neutral_only), MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_NOT_FOUND (no neutral face),
+ * MIEN_E_NO_SOLUTION, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED
+ * @owner  the caller releases *out with mien_representation_release()
+ * @thread externally synchronized by session
+ * @cancel yes
+ * @cost   five passes over the faces; one face in memory at a time
+ * @since  0.2
+ * @source kosk-2024 3.2 to 3.19
+ */
+MIEN_API mien_status MIEN_CALL mien_representation_train_with_options(
+    mien_session* session, const char* dataset_path, int32_t kind,
+    const mien_representation_options* options, mien_representation** out, mien_error* error);
 
 /**
  * Opens a representation file.

@@ -305,8 +305,8 @@ enum {
  * @param other     [in] not null; mm.
  * @param value     [out] not null; unchanged on failure.
  * @param error     [out] may be null.
- * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (metric), MIEN_E_MISMATCH (vertex count or
- * triangles), MIEN_E_INVALID_MESH (no triangles), MIEN_E_NO_MEMORY
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (metric),
+ * MIEN_E_MISMATCH (vertex count or triangles), MIEN_E_INVALID_MESH (no triangles), MIEN_E_NO_MEMORY
  * @owner  nothing
  * @thread externally synchronized by session
  * @cancel no

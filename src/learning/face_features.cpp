@@ -121,6 +121,7 @@ std::shared_ptr<const FaceFeatures> FaceFeatures::train(const TrianglesRef& tria
     check_mesh(features->mean_, "the mean shape");
     double largest = 0;
     for (Index k = 0; k < source.count; ++k) {
+        context.check_cancelled();
         source.face(k, face);
         const Points moved = align_points(face, features->mean_.vertices, {}, false).apply(face);
         largest = std::max(largest, moved.cwiseAbs().maxCoeff());

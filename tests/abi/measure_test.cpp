@@ -182,7 +182,7 @@ TEST(Measure, LengthsAndCurvatureOfASquare) {
     m = nullptr;
     EXPECT_EQ(MIEN_E_INVALID_ARGUMENT,
               mien_measure_curvature(session, square.get(), 0, 1, nullptr, &m, nullptr));
-    EXPECT_EQ(MIEN_E_INVALID_ARGUMENT,
+    EXPECT_EQ(MIEN_E_UNSUPPORTED_OPTION,
               mien_measure_curvature(session, square.get(), 3, 2, nullptr, &m, nullptr));
     EXPECT_EQ(nullptr, m);
 }

@@ -138,7 +138,7 @@ TEST_F(SpectralAbi, MetricsTellFacesApart) {
         EXPECT_NEAR(metric(session_, kind, a, a), 0.0, 1e-12) << kind;
         EXPECT_GT(metric(session_, kind, a, b), 0.0) << kind;
     }
-    EXPECT_EQ(status_of([&] { metric(session_, 99, a, b); }), MIEN_E_INVALID_ARGUMENT);
+    EXPECT_EQ(status_of([&] { metric(session_, 99, a, b); }), MIEN_E_UNSUPPORTED_OPTION);
 }
 
 TEST_F(SpectralAbi, RepresentationsHaveTheirInverse) {
@@ -174,6 +174,76 @@ TEST_F(SpectralAbi, RepresentationsHaveTheirInverse) {
               MIEN_E_BUFFER_TOO_SMALL);
     EXPECT_EQ(untouched, 7);
     EXPECT_EQ(count, std::uint64_t{(kCells + 1) * (kCells + 1)});
+}
+
+TEST_F(SpectralAbi, TrainingARepresentationReportsAndCanBeCancelled) {
+    const std::string path = dataset();
+    const Mesh given = face(session_, 18, -0.5);
+    std::vector<double> fractions;
+    const Representation r = Representation::train(session_, path, MIEN_FEATURES_DEFORMATION, false,
+                                                   [&](std::int32_t, double fraction) {
+                                                       fractions.push_back(fraction);
+                                                       return true;
+                                                   });
+    EXPECT_GT(fractions.size(), 10u);
+    EXPECT_EQ(fractions.back(), 1.0);
+    EXPECT_EQ(status_of([&] {
+                  Representation::train(
+                      session_, path, MIEN_FEATURES_DEFORMATION, false,
+                      [](std::int32_t stage, double) { return stage != MIEN_STAGE_TRAINING; });
+              }),
+              MIEN_E_CANCELLED);
+    // Without options, and by the function of release 0.1: the same representation.
+    for (const bool old : {false, true}) {
+        mien_representation* bare = nullptr;
+        mien_error error{};
+        error.struct_size = sizeof error;
+        const mien_status status =
+            old ? mien_representation_train(session_.get(), path.c_str(), MIEN_FEATURES_DEFORMATION,
+                                            0, &bare, &error)
+                : mien_representation_train_with_options(session_.get(), path.c_str(),
+                                                         MIEN_FEATURES_DEFORMATION, nullptr, &bare,
+                                                         &error);
+        ASSERT_EQ(status, MIEN_OK) << error.message;
+        std::vector<double> features(9 * std::size_t{(kCells + 1) * (kCells + 1)});
+        std::uint64_t count = 0;
+        EXPECT_EQ(mien_representation_encode(session_.get(), bare, given.get(), nullptr,
+                                             features.data(), features.size(), &count, &error),
+                  MIEN_OK);
+        EXPECT_EQ(features, r.encode(session_, given));
+        mien_representation_release(bare);
+    }
+}
+
+// The status of a wrong switch was invalid_argument in some calls and unsupported_option in others.
+TEST_F(SpectralAbi, UnknownSwitchesAndEnumeratorsHaveOneStatusEverywhere) {
+    const Mesh mesh = face(session_, 15, 0);
+    const std::string path = dataset();
+    mien_representation* representation = nullptr;
+    mien_measurement* measurement = nullptr;
+    double number = 0;
+    EXPECT_EQ(
+        mien_representation_train(session_.get(), path.c_str(), 99, 0, &representation, nullptr),
+        MIEN_E_UNSUPPORTED_OPTION);
+    EXPECT_EQ(
+        mien_representation_train(session_.get(), path.c_str(), 1, 7, &representation, nullptr),
+        MIEN_E_UNSUPPORTED_OPTION);
+    EXPECT_EQ(mien_metric(session_.get(), 99, mesh.get(), mesh.get(), &number, nullptr),
+              MIEN_E_UNSUPPORTED_OPTION);
+    EXPECT_EQ(mien_measure_closed_volume(session_.get(), mesh.get(), 7, &number, nullptr),
+              MIEN_E_UNSUPPORTED_OPTION);
+    EXPECT_EQ(
+        mien_measure_curvature(session_.get(), mesh.get(), 8, 7, nullptr, &measurement, nullptr),
+        MIEN_E_UNSUPPORTED_OPTION);
+    mien_measure_options options;
+    mien_measure_options_init(&options, sizeof options);
+    options.skip_borders = 7;
+    EXPECT_EQ(
+        mien_measure_curvature(session_.get(), mesh.get(), 8, 1, &options, &measurement, nullptr),
+        MIEN_E_UNSUPPORTED_OPTION);
+    const Hierarchy levels = Hierarchy::quadric(session_, mesh, 1, 3.0);
+    const std::vector<double> ones(mesh.vertex_count(), 1.0);
+    EXPECT_EQ(status_of([&] { levels.apply(1, 7, ones, 1); }), MIEN_E_UNSUPPORTED_OPTION);
 }
 
 TEST_F(SpectralAbi, HierarchiesMapUpAndDown) {

@@ -441,6 +441,16 @@ class ZoneAlignment(ctypes.Structure):
     ]
 
 
+class RepresentationOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("neutral_only", ctypes.c_int32),
+        ("progress", ProgressFn),
+        ("progress_user", ctypes.c_void_p),
+        ("cancel", ctypes.c_void_p),
+    ]
+
+
 class ScoreOptions(ctypes.Structure):
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
@@ -701,6 +711,8 @@ SIGNATURES = {
     "mien_mesh_decimate": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_mesh_check_same_unit": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
     "mien_representation_train": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.c_int32, ctypes.c_int32, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_representation_options_init": (None, [ctypes.POINTER(RepresentationOptions), ctypes.c_size_t]),
+    "mien_representation_train_with_options": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.c_int32, ctypes.POINTER(RepresentationOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_representation_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_representation_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
     "mien_representation_get_counts": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),

@@ -119,10 +119,17 @@ class Representation {
   public:
     using Motion = std::array<double, 12>;
     static Representation train(const Session& session, const std::string& dataset_path,
-                                std::int32_t kind, bool neutral_only = false) {
+                                std::int32_t kind, bool neutral_only = false,
+                                const Progress& progress = {}, mien_cancel* cancel = nullptr) {
+        mien_representation_options options;
+        mien_representation_options_init(&options, sizeof options);
+        options.neutral_only = neutral_only ? 1 : 0;
+        options.cancel = cancel;
+        detail::ProgressBridge bridge(progress);
+        bridge.install(options);
         mien_representation* representation = nullptr;
-        detail::call(mien_representation_train, session.get(), dataset_path.c_str(), kind,
-                     std::int32_t{neutral_only ? 1 : 0}, &representation);
+        bridge.call(mien_representation_train_with_options, session.get(), dataset_path.c_str(),
+                    kind, &options, &representation);
         return Representation(representation);
     }
     static Representation load(const Session& session, const std::string& path) {
