@@ -5,7 +5,8 @@ set -eu
 
 build="g++ cmake ninja-build ccache pkg-config libeigen3-dev libopenmesh-dev libspectra-dev
        nlohmann-json3-dev libcli11-dev libpng-dev libjpeg62-turbo-dev"
-test="libgtest-dev libbenchmark-dev python3 python3-numpy python3-scipy clang abigail-tools
+test="libgtest-dev libbenchmark-dev python3 python3-numpy python3-scipy clang clang-format clang-tidy git
+      abigail-tools
       mono-mcs mono-runtime openjdk-17-jdk-headless"
 
 wanted=""

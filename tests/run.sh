@@ -2,10 +2,13 @@
 # Installs what is missing, builds everything and runs all tests: sh tests/run.sh
 # What reads hostile input runs once more in a second build with AddressSanitizer and UBSan: MIEN_TEST_SANITIZE=0
 # leaves that out, MIEN_TEST_SANITIZE=long adds every function with every wrong argument (some minutes more).
+# MIEN_TEST_STYLE=0 leaves out what looks at the sources alone, =long adds clang-tidy over all files and two more builds.
 set -eu
 cd "$(dirname "$0")/.."
 
 sh cmake/install-packages.sh build test
+
+[ "${MIEN_TEST_STYLE:-short}" = 0 ] || sh tests/style/run.sh
 
 cmake --preset joined -DMIEN_WERROR=ON
 cmake --build --preset joined

@@ -365,8 +365,8 @@ mien_surface_transfer_zone(mien_session* session, const mien_mesh* from, const u
  * @param count           [out] may be null; bytes with the terminating zero.
  * @param error           [out] may be null.
  * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (what),
- * MIEN_E_MISMATCH (fitted is not of the model), MIEN_E_BUFFER_TOO_SMALL (dst untouched, count written), MIEN_E_MEMORY_BUDGET,
- * MIEN_E_NO_MEMORY
+ * MIEN_E_MISMATCH (fitted is not of the model), MIEN_E_BUFFER_TOO_SMALL (dst untouched, count
+ * written), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY
  * @owner  nothing
  * @thread externally synchronized by session
  * @cancel no

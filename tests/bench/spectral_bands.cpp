@@ -8,8 +8,8 @@
 #include <fstream>
 
 #include "cli/plot.hpp"
-#include "mesh/dataset.hpp"
 #include "learning/face_features.hpp"
+#include "mesh/dataset.hpp"
 #include "spectral/spectral_basis.hpp"
 #include "spectral_support.hpp"
 

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <map>
 
-#include "mesh/dataset.hpp"
 #include "learning/blendshapes.hpp"
+#include "mesh/dataset.hpp"
 #include "spectral/deformation_transfer.hpp"
 #include "spectral/metrics.hpp"
 #include "spectral_support.hpp"

@@ -1,0 +1,131 @@
+#!/usr/bin/env python3
+"""What CONTRIBUTING.md promises about the sources and no compiler checks: check_style.py PROJECT [--allow-stale]
+
+  arrows     a room includes itself and the rooms that src/CMakeLists.txt gives it; the core includes neither the C ABI nor
+             the command; the command stands on the public headers alone
+  circles    no header includes itself, not even by way of others
+  length     no function in src over 80 lines, save those that long_functions.txt lists with a reason; a line there whose
+             function is short again is a fault too, but with --allow-stale only a note
+  command    src/cli computes no statistics: no quantiles of the normal distribution stand there
+"""
+import re
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+from source_text import blank, functions
+
+MOST_LINES = 80
+QUANTILES = re.compile(r"\b(1\.96|1\.9599\d*|1\.645|1\.6448\d*|2\.576|2\.5758\d*|1\.2815\d*)\b")
+INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]+["<]([^">]+)[">]', re.M)
+
+
+def rooms_below(cmake):
+    """Room -> rooms that it may include, itself among them; from the mien_room() lines."""
+    below = {}
+    for name, on in re.findall(r"^mien_room\((\w+)([\w ]*)\)", cmake, re.M):
+        missing = [room for room in on.split() if room not in below]
+        if missing:
+            raise SystemExit(f"src/CMakeLists.txt: room {name} stands on {missing[0]}, which comes later")
+        below[name] = {name}.union(*(below[room] for room in on.split()))
+    if len(below) < 2:
+        raise SystemExit("src/CMakeLists.txt: no mien_room() lines found")
+    return below
+
+
+def sources(folder):
+    return sorted(p for p in folder.rglob("*") if p.suffix in (".cpp", ".hpp", ".h", ".inc"))
+
+
+def check_arrows(project):
+    below = rooms_below((project / "src/CMakeLists.txt").read_text())
+    for path in sources(project / "src"):
+        where = path.relative_to(project)
+        room = where.parts[1]
+        for name in INCLUDE.findall(path.read_text()):
+            top = name.split("/")[0]
+            if room == "cli":
+                if top in below or (project / "abi" / name).exists():
+                    yield f"{where} includes {name}: the command stands on include/mien alone"
+            elif top == "mien" or name.startswith("abi/") or top == "cli":
+                yield f"{where} includes {name}: the core knows neither the C ABI nor the command"
+            elif top in below and top not in below.get(room, set()):
+                yield f"{where} includes {name}: no arrow runs from {room} to {top} (src/CMakeLists.txt)"
+        if room not in below and room != "cli":
+            yield f"{where}: room {room} has no mien_room() line in src/CMakeLists.txt"
+
+
+def check_circles(project):
+    source = project / "src"
+    edges = {}
+    for path in sources(source):
+        names = INCLUDE.findall(path.read_text())
+        edges[path] = [p for n in names for p in (source / n, path.parent / n) if p.is_file()]
+    state = {}
+
+    def visit(path, trail):
+        if state.get(path) == "done":
+            return
+        if path in trail:
+            circle = trail[trail.index(path):] + [path]
+            yield "circle of includes: " + " -> ".join(str(p.relative_to(source)) for p in circle)
+            return
+        for other in edges.get(path, []):
+            yield from visit(other.resolve() if other not in edges else other, trail + [path])
+        state[path] = "done"
+
+    for path in sorted(edges):
+        yield from visit(path, [])
+
+
+def listed_exceptions(path):
+    """(file, function) -> reason; one per line: FILE FUNCTION REASON ..."""
+    exceptions = {}
+    for line in path.read_text().splitlines() if path.exists() else []:
+        if line and not line.startswith("#"):
+            file, function, reason = (line.split(None, 2) + ["", ""])[:3]
+            if len(reason.split()) < 3:
+                raise SystemExit(f"{path}: '{line}' gives no reason")
+            exceptions[file, function] = reason
+    return exceptions
+
+
+def check_length(project):
+    exceptions = listed_exceptions(project / "tests/style/long_functions.txt")
+    count = 0
+    for path in sources(project / "src"):
+        where = str(path.relative_to(project))
+        for name, first, lines in functions(path.read_text()):
+            count += 1
+            excepted = exceptions.pop((where, name), None) if lines > MOST_LINES else None
+            if lines > MOST_LINES and excepted is None:
+                yield f"{where}:{first}: {name} has {lines} lines, more than {MOST_LINES}: split it"
+    for file, function in exceptions:
+        stale = f"tests/style/long_functions.txt: {file} {function} is not long any more: drop the line"
+        if "--allow-stale" in sys.argv[2:]:
+            print("note: " + stale)
+        else:
+            yield stale
+    if count == 0:
+        yield "no function found in src: the reader of sources is broken"
+
+
+def check_command(project):
+    for path in sources(project / "src/cli"):
+        for number, line in enumerate(blank(path.read_text()).splitlines(), 1):
+            if QUANTILES.search(line):
+                yield f"{path.relative_to(project)}:{number}: a quantile: intervals and limits belong to the library"
+
+
+CHECKS = {"arrows": check_arrows, "circles": check_circles, "length": check_length, "command": check_command}
+
+
+def main():
+    project = Path(sys.argv[1]).resolve()
+    faults = [f"{name}: {fault}" for name, check in CHECKS.items() for fault in check(project)]
+    print("\n".join(faults) or f"{len(sources(project / 'src'))} sources: no fault")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
