@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/scalar_math.hpp"
+
 namespace mien {
 
 /// The finaliser of SplitMix64 (Steele, Lea and Flood, 2014): a bijection that scatters neighbours.
@@ -28,7 +30,7 @@ class CounterRandom {
     /// Standard normal (Box and Muller).
     double normal(std::uint64_t i) const {
         const double radius = std::sqrt(-2 * std::log(uniform(2 * i)));
-        return radius * std::cos(6.283185307179586 * uniform(2 * i + 1));
+        return radius * std::cos(2 * kPi * uniform(2 * i + 1));
     }
 
   private:

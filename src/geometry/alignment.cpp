@@ -26,6 +26,8 @@ Similarity align_points(const PointsRef& source, const PointsRef& target, const 
     const Points target_centred = target.rowwise() - target_centre;
     const Matrix3 covariance = target_centred.transpose() * w.asDiagonal() * source_centred / total;
     const Eigen::JacobiSVD<Matrix3> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    if (svd.info() != Eigen::Success)
+        fail(Status::no_solution, "alignment points or weights are not finite");
     const Vector3 singular = svd.singularValues();
     if (!(singular[1] > 1e-12 * singular[0]) || !(singular[0] > 0))
         fail(Status::no_solution,

@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 
 #include "base/error.hpp"
+#include "base/scalar_math.hpp"
 #include "geometry/alignment.hpp"
 #include "geometry/normals.hpp"
 
@@ -125,7 +126,7 @@ RigidZoneResult align_pairs(const PointsRef& source, const PointsRef& target,
     const double l = options.correlation_length_mm;
     const double area = areas.sum();
     const double independent =
-        l > 0 ? std::clamp(area / (6.283185307179586 * l * l), 4.0, static_cast<double>(n))
+        l > 0 ? std::clamp(area / (2 * kPi * l * l), 4.0, static_cast<double>(n))
               : static_cast<double>(n);
     const double variance = squares / (total * (1.0 + 2.0 * options.tangential));
     // `system` sums areas; one independent place stands for total / independent of them.

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "base/scalar_math.hpp"
+
 namespace mien {
 
 /// SplitMix64 (Steele, Lea & Flood 2014).
@@ -23,7 +25,7 @@ class SplitMix {
     std::size_t below(std::size_t count) { return static_cast<std::size_t>(next() % count); }
     double normal() {  // Box-Muller
         const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));
-        return radius * std::cos(6.283185307179586477 * uniform());
+        return radius * std::cos(2 * kPi * uniform());
     }
 
   private:
