@@ -201,7 +201,7 @@ BlendshapeModel::Prediction BlendshapeModel::predict(const PointsRef& neutral,
     const Features predicted = combine(
         differential_output_, weights(differential_input_, flat(deformation), differential_), 9);
     prediction.differential = DeformationRepresentation(own, context).decode(predicted, context);
-    // Deformations say nothing about place: the spatial prediction does.
+    // Deformations carry no position: it comes from the spatial prediction.
     const Eigen::RowVector3d shift =
         prediction.spatial.colwise().mean() - prediction.differential.colwise().mean();
     prediction.differential.rowwise() += shift;

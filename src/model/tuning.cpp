@@ -45,7 +45,7 @@ std::vector<double> fit_residuals(const Eigen::MatrixXf& basis,
     for (std::size_t k = 0; k < displacements.size(); ++k)
         y.middleCols(3 * static_cast<Index>(k), 3) = displacements[k];
     dense::weighted_gram(context, a, Vector(), normal);
-    // A whisper of damping, so that rho = 0 is a least-squares fit whatever the basis.
+    // Damping far below the data, so that rho = 0 is a least-squares fit whatever the basis.
     normal.diagonal().array() += rho + 1e-12 * normal.diagonal().maxCoeff();
     Matrix alpha(r, columns);
     dense::multiply(context, 1.0, a, dense::Op::transpose, y, dense::Op::none, 0.0, alpha);

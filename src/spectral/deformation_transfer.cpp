@@ -135,7 +135,7 @@ Points DeformationTransfer::transfer(const PointsRef& source_neutral,
     Points right = Points::Zero(n, 3);
     for (Index t = 0; t < triangles.rows(); ++t) {
         Matrix3 before, after, gradient = Matrix3::Identity();
-        // A source triangle without area says nothing: its target keeps its shape.
+        // A source triangle without area has no deformation: its target keeps its shape.
         if (frame_of(source_neutral, triangles, t, before) &&
             frame_of(source_expression, triangles, t, after))
             gradient = after * before.inverse();
