@@ -28,7 +28,7 @@ Similarity align_points(const PointsRef& source, const PointsRef& target, const 
     const Eigen::JacobiSVD<Matrix3> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
     if (svd.info() != Eigen::Success)
         fail(Status::no_solution, "alignment points or weights are not finite");
-    const Vector3 singular = svd.singularValues();
+    const Vector3& singular = svd.singularValues();
     if (!(singular[1] > 1e-12 * singular[0]) || !(singular[0] > 0))
         fail(Status::no_solution,
              "alignment points lie on one line; give points that span a plane");
