@@ -26,11 +26,11 @@ PLANTED = {
                  "circle of includes"),
     "a long function": ({"src/mesh/long.cpp": LONG}, "g has 82 lines"),
     "a long constructor": ({"src/mesh/long.cpp": LONG_MEMBER}, "has 82 lines"),
-    "a stale exception": ({"tests/style/long_functions.txt": "src/mesh/mesh.cpp f one tight loop\n"}, "is not long any more"),
-    "an exception without a reason": ({"tests/style/long_functions.txt": "src/mesh/mesh.cpp f\n"}, "gives no reason"),
+    "a stale exception": ({"tests/style/exceptions.txt": "src/mesh/mesh.cpp f one tight loop\n"}, "is no exception any more"),
+    "an exception without a reason": ({"tests/style/exceptions.txt": "src/mesh/mesh.cpp f\n"}, "gives no reason"),
     "a quantile in the command": ({"src/cli/main.cpp": "double limit(double s) { return 1.96 * s; }\n"}, "a quantile"),
 }
-EXCUSED = {"src/mesh/long.cpp": LONG, "tests/style/long_functions.txt": "src/mesh/long.cpp g it is a table of steps\n"}
+EXCUSED = {"src/mesh/long.cpp": LONG, "tests/style/exceptions.txt": "src/mesh/long.cpp g it is a table of steps\n"}
 
 
 def verdict(files):
