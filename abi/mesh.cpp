@@ -2,6 +2,7 @@
 
 #include "arrays.hpp"
 #include "guard.hpp"
+#include "mesh/image.hpp"
 #include "mesh/mesh_file.hpp"
 #include "options.hpp"
 #include "session.hpp"
@@ -13,6 +14,91 @@ namespace {
 
 mien_mesh* make_mesh(TriMesh&& mesh) {
     return new mien_mesh(std::make_shared<const TriMesh>(std::move(mesh)));
+}
+
+constexpr std::uint64_t kMostMaterials = 65536;
+
+std::string optional_text(const char* text) {
+    return text == nullptr ? std::string() : std::string(text);
+}
+
+std::shared_ptr<const TextureImage> read_image(const mien_image& given, std::size_t number) {
+    auto image = std::make_shared<TextureImage>();
+    image->name = optional_text(given.name);
+    if ((given.file != nullptr) == (given.pixels != nullptr))
+        fail_at(Status::invalid_argument, static_cast<std::int64_t>(number),
+                "images[%zu] needs either pixels or the bytes of a file", number);
+    if (given.file != nullptr) {
+        if (given.file_size == 0 || given.file_size > (std::uint64_t(1) << 32))
+            fail_at(Status::invalid_argument, static_cast<std::int64_t>(number),
+                    "images[%zu].file_size is %llu", number,
+                    static_cast<unsigned long long>(given.file_size));
+        image->encoded.assign(reinterpret_cast<const char*>(given.file),
+                              static_cast<std::size_t>(given.file_size));
+        return image;
+    }
+    const std::uint64_t row = 3 * std::uint64_t(given.width);
+    const std::uint64_t stride = given.row_stride_bytes == 0 ? row : given.row_stride_bytes;
+    if (row == 0 || given.height == 0 || stride < row ||
+        given.width > static_cast<std::uint64_t>(kMostPixels) / given.height)
+        fail_at(Status::invalid_argument, static_cast<std::int64_t>(number),
+                "images[%zu] of %lu x %lu pixels in rows of %llu bytes is no image", number,
+                static_cast<unsigned long>(given.width), static_cast<unsigned long>(given.height),
+                static_cast<unsigned long long>(stride));
+    image->width = given.width;
+    image->height = given.height;
+    image->pixels.reserve(static_cast<std::size_t>(row * given.height));
+    for (std::uint64_t y = 0; y < given.height; ++y) {
+        const std::uint8_t* from = given.pixels + y * stride;
+        image->pixels.insert(image->pixels.end(), from, from + row);
+    }
+    return image;
+}
+
+/// Texture coordinates, materials and images; check_mesh() holds their numbers against each other.
+void read_appearance(const mien_mesh_arrays& arrays, TriMesh& mesh) {
+    constexpr std::uint64_t kMost = std::numeric_limits<std::int32_t>::max();
+    check_array(arrays.texture, arrays.texture_count, alignof(float), kMost, "texture");
+    check_array(arrays.materials, arrays.material_count, alignof(mien_material), kMostMaterials,
+                "materials");
+    check_array(arrays.images, arrays.image_count, alignof(mien_image), kMostMaterials, "images");
+    check_output(arrays.texture_triangles, "texture_triangles");
+    check_output(arrays.triangle_materials, "triangle_materials");
+    const Index num_triangles = mesh.triangles.rows();
+    if (arrays.texture_count != 0) {
+        mesh.texture = Eigen::Map<const TextureCoordinates>(
+            arrays.texture, static_cast<Index>(arrays.texture_count), 2);
+        if (!mesh.texture.allFinite())
+            fail(Status::invalid_mesh, "texture has a coordinate that is not finite");
+        if (arrays.texture_triangles != nullptr)
+            mesh.texture_triangles =
+                Eigen::Map<const Triangles>(arrays.texture_triangles, num_triangles, 3);
+        else if (mesh.texture.rows() == mesh.vertices.rows())
+            mesh.texture_triangles = mesh.triangles;
+        else
+            fail(Status::invalid_argument,
+                 "texture_triangles is null, and texture_count %llu is not the number of vertices",
+                 static_cast<unsigned long long>(arrays.texture_count));
+    }
+    for (std::size_t k = 0; k < static_cast<std::size_t>(arrays.material_count); ++k) {
+        const mien_material& given = arrays.materials[k];
+        Material material;
+        material.name = optional_text(given.name);
+        material.image = given.image;
+        const double color[3] = {given.red, given.green, given.blue};
+        for (std::size_t c = 0; c < 3; ++c) {
+            if (!(color[c] >= 0.0 && color[c] <= 1.0))
+                fail_at(Status::invalid_argument, static_cast<std::int64_t>(k),
+                        "materials[%zu] has a colour outside of 0 to 1", k);
+            material.color[c] = static_cast<float>(color[c]);
+        }
+        mesh.materials.push_back(std::move(material));
+    }
+    if (arrays.triangle_materials != nullptr)
+        mesh.triangle_materials.assign(arrays.triangle_materials,
+                                       arrays.triangle_materials + num_triangles);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(arrays.image_count); ++k)
+        mesh.images.push_back(read_image(arrays.images[k], k));
 }
 
 mien_mesh* mesh_from_arrays(mien_session* session, const mien_mesh_arrays* host_arrays) {
@@ -40,6 +126,7 @@ mien_mesh* mesh_from_arrays(mien_session* session, const mien_mesh_arrays* host_
                                                      static_cast<Index>(arrays.triangle_count), 3);
     if (arrays.colors != nullptr)
         mesh.colors = Eigen::Map<const Colors>(arrays.colors, mesh.vertices.rows(), 3);
+    read_appearance(arrays, mesh);
     check_mesh(mesh, "the mesh");
     return make_mesh(std::move(mesh));
 }

@@ -163,6 +163,29 @@ namespace Mien.Native
     }
 
     [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct Image
+    {
+        public IntPtr name;
+        public IntPtr pixels;
+        public ulong rowStrideBytes;
+        public uint width;
+        public uint height;
+        public IntPtr file;
+        public ulong fileSize;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct Material
+    {
+        public IntPtr name;
+        public int image;
+        public int reserved;
+        public double red;
+        public double green;
+        public double blue;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     internal unsafe struct MeshArrays
     {
         public uint structSize;
@@ -171,6 +194,14 @@ namespace Mien.Native
         public IntPtr triangles;
         public ulong triangleCount;
         public IntPtr colors;
+        public IntPtr texture;
+        public ulong textureCount;
+        public IntPtr textureTriangles;
+        public IntPtr materials;
+        public ulong materialCount;
+        public IntPtr triangleMaterials;
+        public IntPtr images;
+        public ulong imageCount;
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -814,6 +845,134 @@ namespace Mien.Native
 #else
         [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int mien_mesh_get_colors(MeshHandle mesh, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial uint mien_mesh_format_count();
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern uint mien_mesh_format_count();
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial IntPtr mien_mesh_format_extension(uint format);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern IntPtr mien_mesh_format_extension(uint format);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial IntPtr mien_mesh_format_description(uint format);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern IntPtr mien_mesh_format_description(uint format);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial IntPtr mien_mesh_format_writes(uint format);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern IntPtr mien_mesh_format_writes(uint format);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_mesh_get_texture(MeshHandle mesh, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_get_texture(MeshHandle mesh, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_mesh_get_texture_triangles(MeshHandle mesh, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_get_texture_triangles(MeshHandle mesh, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_mesh_get_triangle_materials(MeshHandle mesh, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_get_triangle_materials(MeshHandle mesh, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_mesh_get_material_counts(MeshHandle mesh, out ulong material_count, out ulong image_count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_get_material_counts(MeshHandle mesh, out ulong material_count, out ulong image_count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_mesh_get_material(MeshHandle mesh, ulong material, IntPtr image, IntPtr red, IntPtr green, IntPtr blue, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_get_material(MeshHandle mesh, ulong material, IntPtr image, IntPtr red, IntPtr green, IntPtr blue, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_mesh_get_material_name(MeshHandle mesh, ulong material, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_get_material_name(MeshHandle mesh, ulong material, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_mesh_get_image_name(MeshHandle mesh, ulong image, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_get_image_name(MeshHandle mesh, ulong image, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_mesh_get_image_file(MeshHandle mesh, ulong image, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_get_image_file(MeshHandle mesh, ulong image, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_mesh_get_image_size(MeshHandle mesh, ulong image, IntPtr width, IntPtr height, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_get_image_size(MeshHandle mesh, ulong image, IntPtr width, IntPtr height, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_mesh_get_image_pixels(SessionHandle session, MeshHandle mesh, ulong image, ulong row_stride_bytes, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_get_image_pixels(SessionHandle session, MeshHandle mesh, ulong image, ulong row_stride_bytes, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_mesh_save_targets(SessionHandle session, MeshHandle mesh, out MeshHandle targets, IntPtr[] names, ulong target_count, byte[] path, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_save_targets(SessionHandle session, MeshHandle mesh, out MeshHandle targets, IntPtr[] names, ulong target_count, byte[] path, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_mesh_load_target(SessionHandle session, byte[] path, byte[] name, out MeshHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_load_target(SessionHandle session, byte[] path, byte[] name, out MeshHandle @out, ref Error error);
 #endif
 
 #if NET7_0_OR_GREATER

@@ -47,6 +47,28 @@ bool is_off(const char* data, std::size_t size) {
     return length >= at + 3 && std::memcmp(word + at, "OFF", 3) == 0;
 }
 
+bool is_glb(const char* data, std::size_t size) {
+    return size >= 4 && std::memcmp(data, "glTF", 4) == 0;
+}
+
+/// A JSON object that says "asset" or another of glTF's lists soon.
+bool is_gltf(const char* data, std::size_t size) {
+    const std::string text = beginning(data, size);
+    if (text.empty() || text[0] != '{') return false;
+    for (const char* word : {"\"asset\"", "\"accessors\"", "\"bufferviews\""})
+        if (text.find(word) != std::string::npos) return true;
+    return false;
+}
+
+bool is_vtk(const char* data, std::size_t size) {
+    return begins_with(beginning(data, size), "# vtk datafile");
+}
+
+bool is_vtp(const char* data, std::size_t size) {
+    const std::string text = beginning(data, size);
+    return !text.empty() && text[0] == '<' && text.find("<vtkfile") != std::string::npos;
+}
+
 /// A line that is a vertex or a face; a text without it may still be an OBJ, by its name.
 bool looks_like_obj(const char* data, std::size_t size) {
     TextCursor text(data, data + std::min(kLookedAt, size));
@@ -69,6 +91,11 @@ constexpr Format kFormats[] = {
     {"stl", "STL", is_stl, read_stl, write_stl},
     {"off", "Geomview OFF", is_off, read_off, write_off},
     {"coff", "Geomview OFF", nullptr, read_off, write_off},
+    {"glb", "glTF 2.0, binary", is_glb, read_gltf, write_glb},
+    {"gltf", "glTF 2.0", is_gltf, read_gltf, nullptr},
+    {"vtp", "VTK PolyData, XML", is_vtp, read_vtp, nullptr},
+    {"vtk", "VTK PolyData, legacy", is_vtk, read_vtk, nullptr},
+    {"xyz", "points as text", nullptr, read_xyz, nullptr},
 };
 
 }  // namespace

@@ -30,11 +30,16 @@ TriMesh read_ply(const Source& source, const Context& context);
 TriMesh read_obj(const Source& source, const Context& context);
 TriMesh read_stl(const Source& source, const Context& context);
 TriMesh read_off(const Source& source, const Context& context);
+TriMesh read_gltf(const Source& source, const Context& context);
+TriMesh read_vtk(const Source& source, const Context& context);
+TriMesh read_vtp(const Source& source, const Context& context);
+TriMesh read_xyz(const Source& source, const Context& context);
 
 void write_ply(Target& target, const TriMesh& mesh, const Context& context);
 void write_obj(Target& target, const TriMesh& mesh, const Context& context);
 void write_stl(Target& target, const TriMesh& mesh, const Context& context);
 void write_off(Target& target, const TriMesh& mesh, const Context& context);
+void write_glb(Target& target, const TriMesh& mesh, const Context& context);
 
 /// The size is exactly what the header's number of triangles needs: no text has such a size.
 bool is_exact_binary_stl(const char* data, std::size_t size);

@@ -7,8 +7,10 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/json.hpp"
 #include "mesh/format_table.hpp"
 #include "mesh/formats.hpp"
+#include "mesh/gltf.hpp"
 
 namespace mien {
 namespace {
@@ -103,12 +105,17 @@ void drop_undefined_vertices(TriMesh& mesh, const Context& context) {
         mesh.triangles.data()[k] = new_number[mesh.triangles.data()[k]];
 }
 
-TriMesh read_checked(const FileBytes& file, const std::string& path, const std::string& extension,
-                     const Context& context) {
+formats::Source source_of(const FileBytes& file, const std::string& path, const Context& context) {
     if (file.size == 0) fail(Status::bad_format, "the file is empty");
     formats::Source source;
     source.path = path;
     source.bytes = as_utf8(file, context);
+    return source;
+}
+
+TriMesh read_checked(const FileBytes& file, const std::string& path, const std::string& extension,
+                     const Context& context) {
+    const formats::Source source = source_of(file, path, context);
     const Format* format =
         formats::format_of_bytes(source.bytes.data, source.bytes.size, extension);
     if (format == nullptr)
@@ -119,6 +126,24 @@ TriMesh read_checked(const FileBytes& file, const std::string& path, const std::
     drop_undefined_vertices(mesh, context);
     check_mesh(mesh, "mesh");
     return mesh;
+}
+
+/// Calls `read` with the file's bytes and puts the path before what it reports.
+template <typename Read>
+auto read_named(const std::string& path, const Context& context, Read&& read) {
+    const FileBytes bytes = read_whole_file(path, context);
+    try {
+        return read(bytes);
+    } catch (const Error& error) {
+        if (error.status() == Status::cancelled || error.status() == Status::memory_budget) throw;
+        fail_at(error.status(), error.detail_index(), "'%s': %s", shown_path(path).c_str(),
+                error.what());
+    }
+}
+
+void commit(formats::Target& target) {
+    for (const auto& companion : target.companions) companion->commit();
+    target.file.commit();
 }
 
 }  // namespace
@@ -132,14 +157,36 @@ TriMesh read_mesh_memory(const void* data, std::size_t size, const std::string& 
 }
 
 TriMesh read_mesh_file(const std::string& path, const Context& context) {
-    const FileBytes bytes = read_whole_file(path, context);
-    try {
+    return read_named(path, context, [&](const FileBytes& bytes) {
         return read_checked(bytes, path, formats::extension_of(path), context);
-    } catch (const Error& error) {
-        if (error.status() == Status::cancelled || error.status() == Status::memory_budget) throw;
-        fail_at(error.status(), error.detail_index(), "'%s': %s", shown_path(path).c_str(),
-                error.what());
-    }
+    });
+}
+
+MorphMesh read_morph_mesh(const std::string& path, const Context& context) {
+    return read_named(path, context, [&](const FileBytes& bytes) {
+        const formats::Source source = source_of(bytes, path, context);
+        MorphMesh morph;
+        morph.mesh = formats::read_gltf_document(source, &morph.targets, context);
+        check_mesh(morph.mesh, "mesh");
+        for (const MorphTarget& target : morph.targets)
+            if (!target.offsets.allFinite())
+                fail(Status::invalid_mesh, "the morph target '%s' has offsets that are not finite",
+                     shown_name(target.name).c_str());
+        return morph;
+    });
+}
+
+void write_morph_mesh(const std::string& path, const TriMesh& mesh,
+                      const std::vector<MorphTarget>& targets, const Context& context) {
+    const Format* format = formats::find_format(formats::extension_of(path));
+    if (format == nullptr || format->write != formats::write_glb)
+        fail(Status::invalid_argument, "'%s': morph targets are written to .glb files",
+             shown_path(path).c_str());
+    check_mesh(mesh, "mesh");
+    AtomicFile file(path);
+    formats::Target target{file, path, {}};
+    formats::write_glb_document(target, mesh, targets, context);
+    commit(target);
 }
 
 void write_mesh_file(const std::string& path, const TriMesh& mesh, const Context& context) {
@@ -152,8 +199,7 @@ void write_mesh_file(const std::string& path, const TriMesh& mesh, const Context
     AtomicFile file(path);
     formats::Target target{file, path, {}};
     format->write(target, mesh, context);
-    for (const auto& companion : target.companions) companion->commit();
-    file.commit();
+    commit(target);
 }
 
 std::vector<MeshFormat> mesh_formats() {

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -13,11 +14,15 @@
 #include "fuzz/mutate.hpp"
 #include "mesh/cleaning.hpp"
 #include "mesh/dataset.hpp"
+#include "mesh/gltf.hpp"
+#include "mesh/image.hpp"
 #include "mesh/landmark_file.hpp"
+#include "mesh/material_library.hpp"
 #include "mesh/mesh_file.hpp"
 #include "mesh/topology.hpp"
 #include "mesh/zone_file.hpp"
 #include "oom/fail_nth.hpp"
+#include "unit/mesh/sample_images.hpp"
 #include "unit/mesh/sample_meshes.hpp"
 #include "unit/scratch.hpp"
 
@@ -33,11 +38,74 @@ struct Seed {
     std::string kind, bytes;
 };
 
+void add_text_seeds(std::vector<Seed>& seeds) {
+    seeds.push_back({"xyz", "X Y Z\n0 0 0 255 0 1\n1.5 -2e1 3 7 8 9\n"});
+    seeds.push_back(
+        {"vtk",
+         "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 4 float\n0 0 0 1 0 0 1 1 "
+         "0 0 1 0\nPOLYGONS 2 8\n3 0 1 2 3 0 2 3\nTRIANGLE_STRIPS 1 5\n4 0 1 2 3\nPOINT_DATA 4\n"
+         "SCALARS c unsigned_char 3\nLOOKUP_TABLE default\n1 2 3 4 5 6 7 8 9 10 11 12\n"
+         "TEXTURE_COORDINATES t 2 float\n0 0 1 0 1 1 0 1\nFIELD f 1\na 1 4 int\n1 2 3 4\n"});
+    std::string binary =
+        "# vtk DataFile Version 5.1\nx\nBINARY\nDATASET POLYDATA\nPOINTS 3 float\n";
+    binary += std::string(30, '\0') + std::string("\x3f\x80\0\0\0\0", 6);
+    binary += "\nPOLYGONS 2 3\nOFFSETS vtktypeint64\n" + std::string(15, '\0') +
+              "\3\nCONNECTIVITY vtktypeint64\n" + std::string(15, '\0') + '\1' +
+              std::string(7, '\0') + "\2\n";
+    seeds.push_back({"vtk", binary});
+    seeds.push_back(
+        {"vtp",
+         "<?xml version=\"1.0\"?><VTKFile type=\"PolyData\" byte_order=\"LittleEndian\" "
+         "compressor=\"vtkZLibDataCompressor\"><PolyData><Piece NumberOfPoints=\"1\">"
+         "<PointData Scalars=\"c\"><DataArray type=\"UInt8\" Name=\"c\" "
+         "NumberOfComponents=\"3\" format=\"binary\">AQAAAAMAAAADAAAACwAAAA==eJxjZGIGAAAOAAc="
+         "</DataArray></PointData><Points><DataArray type=\"Float32\" NumberOfComponents=\"3\" "
+         "format=\"ascii\">1 2 3</DataArray></Points></Piece></PolyData></VTKFile>"});
+    std::string appended =
+        "<VTKFile type=\"PolyData\" header_type=\"UInt64\"><PolyData><Piece "
+        "NumberOfPoints=\"3\"><Points><DataArray type=\"UInt8\" format=\"appended\" "
+        "offset=\"0\"/></Points><Polys><DataArray type=\"Int8\" Name=\"connectivity\" "
+        "format=\"appended\" offset=\"17\"/><DataArray type=\"Int8\" Name=\"offsets\" "
+        "format=\"appended\" offset=\"28\"/></Polys></Piece></PolyData><AppendedData "
+        "encoding=\"raw\">_";
+    appended += std::string("\x09\0\0\0\0\0\0\0\0\0\0\1\0\0\0\1\0", 17);
+    appended += std::string("\3\0\0\0\0\0\0\0\0\1\2\1\0\0\0\0\0\0\0\3", 20);
+    seeds.push_back({"vtp", appended + "</AppendedData></VTKFile>"});
+    seeds.push_back(
+        {"gltf",
+         "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,"
+         "\"rotation\":[0,0,1,0],\"scale\":[1,-1,2],\"children\":[1]},{\"matrix\":[1,0,0,0,0,1,0,0,"
+         "0,0,1,0,5,6,7,1],\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":{"
+         "\"POSITION\":0},\"mode\":5,\"targets\":[{\"POSITION\":0}]}]}],\"accessors\":[{"
+         "\"bufferView\":0,\"componentType\":5120,\"count\":4,\"type\":\"VEC3\",\"sparse\":{"
+         "\"count\":1,\"indices\":{\"bufferView\":0,\"componentType\":5121},\"values\":{"
+         "\"bufferView\":0}}}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":12}],\"buffers\":[{"
+         "\"byteLength\":12,\"uri\":\"data:x;base64,AAECAwQFBgcICQoL\"}]}"});
+}
+
+/// Images, a material library beside an OBJ, and a GLB with an image inside.
+void add_image_seeds(std::vector<Seed>& seeds, const ScratchFolder& folder) {
+    seeds.push_back({"image", sample_png(5, 3)});
+    seeds.push_back({"image", sample_jpeg()});
+    seeds.push_back({"image", sample_progressive_jpeg()});
+    seeds.push_back(
+        {"mtl", "newmtl a b\nKd 1 .5 0\nmap_Kd -s 1 1 1 -clamp on a b.png\nnewmtl c\n"});
+    TriMesh mesh = colorful();
+    auto image = std::make_shared<TextureImage>();
+    image->encoded = sample_png(2, 2);
+    mesh.images.push_back(image);
+    mesh.materials.resize(2);
+    mesh.materials[1].image = 0;
+    mesh.triangle_materials = {0, 1, 1, 0};
+    write_mesh_file(folder / "textured.glb", mesh, Context());
+    seeds.push_back({"glb", read_bytes(folder / "textured.glb")});
+}
+
 std::vector<Seed> make_seeds() {
     const Context context;
     ScratchFolder folder;
     std::vector<Seed> seeds;
-    for (const char* kind : {"ply", "obj", "stl", "off"})
+    for (const char* kind : {"ply", "obj", "stl", "off", "glb"})
         for (int k = 0; k < 2; ++k) {
             const std::string path = folder / (std::string("m.") + kind);
             write_mesh_file(path, k == 0 ? colorful() : grid(4), context);
@@ -85,6 +153,8 @@ std::vector<Seed> make_seeds() {
     }
     seeds.push_back({"zones", "{\"note\": 1, \"zones\": {\"a\": [1, 2]}, \"lips\": [3]}"});
 
+    add_text_seeds(seeds);
+    add_image_seeds(seeds, folder);
     FaceDatasetWriter writer(tetrahedron().triangles, 4, {"neutral", "smile"});
     writer.add(tetrahedron().vertices, 0, 0);
     writer.add(tetrahedron().vertices, 1, 1);
@@ -116,6 +186,18 @@ void use_tensors(const SafetensorsFile& file) {
     (void)kept;
 }
 
+/// The reader of morph targets throws what it has to say; what it returns must fit its mesh.
+void read_targets(const char* data, std::size_t size, const Context& context) {
+    formats::Source source;
+    source.bytes.data = data;
+    source.bytes.size = size;
+    std::vector<MorphTarget> targets;
+    const TriMesh mesh = formats::read_gltf_document(source, &targets, context);
+    for (const MorphTarget& target : targets)
+        if (target.offsets.rows() != mesh.vertices.rows())
+            throw std::runtime_error("a morph target of another number of vertices");
+}
+
 long num_read = 0;
 
 /// Empty when all is right.
@@ -138,7 +220,19 @@ std::string feed(const std::string& kind, const char* data, std::size_t size,
         } else if (kind.compare(0, 10, "landmarks.") == 0) {
             parse_landmarks(data, size, kind);
             ++num_read;
+        } else if (kind == "image") {
+            TextureImage image;
+            image.encoded.assign(data, size);
+            const Image decoded = decode_image(image, context);
+            if (decoded.rgb.size() != std::size_t(3 * decoded.width * decoded.height))
+                return "an image of another size than it says";
+            ++num_read;
+        } else if (kind == "mtl") {
+            std::vector<formats::LibraryMaterial> materials;
+            formats::parse_material_library(data, data + size, materials);
+            ++num_read;
         } else {
+            if (kind == "glb" || kind == "gltf") read_targets(data, size, context);
             const TriMesh mesh = read_mesh_memory(data, size, kind, context);
             if (oom::control.largest > kProportion * size + kAllowance)
                 return "an allocation of " + std::to_string(oom::control.largest) + " bytes";

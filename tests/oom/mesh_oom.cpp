@@ -9,8 +9,10 @@
 #include "mesh/cleaning.hpp"
 #include "mesh/dataset.hpp"
 #include "mesh/half_edge.hpp"
+#include "mesh/image.hpp"
 #include "mesh/mesh_file.hpp"
 #include "mesh/topology.hpp"
+#include "unit/mesh/sample_images.hpp"
 #include "unit/mesh/sample_meshes.hpp"
 #include "unit/scratch.hpp"
 
@@ -42,6 +44,41 @@ std::size_t read_into(const char* path, char* buffer, std::size_t capacity) {
     return size;
 }
 
+/// A textured mesh in each format that keeps images, and their decoders.
+int sweep_textures() {
+    const Context context;
+    ScratchFolder folder;
+    TriMesh mesh = mien::testing::colorful();
+    for (const std::string& bytes :
+         {mien::testing::sample_png(4, 3), mien::testing::sample_progressive_jpeg()}) {
+        auto image = std::make_shared<TextureImage>();
+        image->encoded = bytes;
+        mesh.images.push_back(image);
+    }
+    mesh.materials.resize(2);
+    mesh.materials[0].image = 0;
+    mesh.materials[1].image = 1;
+    mesh.triangle_materials = {0, 1, 1, 0};
+    int failed = 0;
+    for (const char* name : {"t.obj", "t.ply", "t.glb"}) {
+        const std::string path = folder / name;
+        write_mesh_file(path, mesh, context);
+        oom::Sweep reading("read textured " + std::string(name));
+        reading.run([&] { return clean([&] { read_mesh_file(path, context); }); });
+        failed += reading.report();
+        oom::Sweep writing("write textured " + std::string(name));
+        writing.run([&] { return clean([&] { write_mesh_file(path, mesh, context); }); });
+        failed += writing.report();
+    }
+    for (const auto& image : mesh.images) {
+        if (!images_are_decoded()) break;
+        oom::Sweep decoding("decode an image");
+        decoding.run([&] { return clean([&] { decode_image(*image, context); }); });
+        failed += decoding.report();
+    }
+    return failed;
+}
+
 }  // namespace
 
 int main() {
@@ -54,7 +91,7 @@ int main() {
     const TriMesh mesh = mien::testing::colorful(), disc = mien::testing::grid(12);
     int failed = 0;
 
-    for (const char* extension : {"ply", "obj", "stl", "off"}) {
+    for (const char* extension : {"ply", "obj", "stl", "off", "glb"}) {
         const std::string path = folder / (std::string("m.") + extension);
         write_mesh_file(path, mesh, context);
         oom::Sweep reading("read " + std::string(extension));
@@ -77,6 +114,8 @@ int main() {
             ++failed;
         }
     }
+
+    failed += sweep_textures();
 
     const std::string path = folder / "set.safetensors";
     FaceDatasetWriter writer(mesh.triangles, 4, {"neutral", "smile"});

@@ -156,6 +156,29 @@ class Zone(ctypes.Structure):
     ]
 
 
+class Image(ctypes.Structure):
+    _fields_ = [
+        ("name", ctypes.c_char_p),
+        ("pixels", ctypes.c_void_p),
+        ("row_stride_bytes", ctypes.c_uint64),
+        ("width", ctypes.c_uint32),
+        ("height", ctypes.c_uint32),
+        ("file", ctypes.c_void_p),
+        ("file_size", ctypes.c_uint64),
+    ]
+
+
+class Material(ctypes.Structure):
+    _fields_ = [
+        ("name", ctypes.c_char_p),
+        ("image", ctypes.c_int32),
+        ("reserved", ctypes.c_int32),
+        ("red", ctypes.c_double),
+        ("green", ctypes.c_double),
+        ("blue", ctypes.c_double),
+    ]
+
+
 class MeshArrays(ctypes.Structure):
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
@@ -164,6 +187,14 @@ class MeshArrays(ctypes.Structure):
         ("triangles", ctypes.c_void_p),
         ("triangle_count", ctypes.c_uint64),
         ("colors", ctypes.c_void_p),
+        ("texture", ctypes.c_void_p),
+        ("texture_count", ctypes.c_uint64),
+        ("texture_triangles", ctypes.c_void_p),
+        ("materials", ctypes.POINTER(Material)),
+        ("material_count", ctypes.c_uint64),
+        ("triangle_materials", ctypes.c_void_p),
+        ("images", ctypes.POINTER(Image)),
+        ("image_count", ctypes.c_uint64),
     ]
 
 
@@ -574,6 +605,22 @@ SIGNATURES = {
     "mien_mesh_get_positions": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
     "mien_mesh_get_triangles": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
     "mien_mesh_get_colors": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_mesh_format_count": (ctypes.c_uint32, []),
+    "mien_mesh_format_extension": (ctypes.c_char_p, [ctypes.c_uint32]),
+    "mien_mesh_format_description": (ctypes.c_char_p, [ctypes.c_uint32]),
+    "mien_mesh_format_writes": (ctypes.c_void_p, [ctypes.c_uint32]),
+    "mien_mesh_get_texture": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_mesh_get_texture_triangles": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_mesh_get_triangle_materials": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_mesh_get_material_counts": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_mesh_get_material": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_mesh_get_material_name": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_mesh_get_image_name": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_mesh_get_image_file": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_mesh_get_image_size": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_mesh_get_image_pixels": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_mesh_save_targets": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(ctypes.c_char_p), ctypes.c_uint64, ctypes.c_char_p, ctypes.POINTER(Error)]),
+    "mien_mesh_load_target": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_mesh_positions_view": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
     "mien_mesh_retain": (None, [ctypes.c_void_p]),
     "mien_mesh_release": (None, [ctypes.c_void_p]),

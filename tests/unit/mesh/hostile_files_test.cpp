@@ -36,11 +36,11 @@ struct Sample {
 std::vector<Sample> samples() {
     ScratchFolder folder;
     std::vector<Sample> all;
-    for (const char* extension : {"ply", "obj", "stl", "off"}) {
+    for (const char* extension : {"ply", "obj", "stl", "off", "glb"}) {
         const std::string path = folder / (std::string("m.") + extension);
         write_mesh_file(path, colorful(), Context());
         const std::string name = extension;
-        all.push_back({name, read_bytes(path), name == "ply" || name == "stl"});
+        all.push_back({name, read_bytes(path), name == "ply" || name == "stl" || name == "glb"});
     }
     all.push_back({"ply",
                    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
@@ -51,6 +51,7 @@ std::vector<Sample> samples() {
                    "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
                    "vertex 0 1 0\nendloop\nendfacet\nendsolid s\n",
                    false});
+    all.push_back({"xyz", "X Y Z R G B\n0 0 0 255 0 0\n1.5 -2e1 3 0 7 255\n", false});
     return all;
 }
 
@@ -75,7 +76,7 @@ TEST(HostileFiles, EveryFlippedBitIsHandled) {
 
 TEST(HostileFiles, EveryFormatReadsEveryOtherAsAnErrorOrAMesh) {
     for (const Sample& sample : samples())
-        for (const char* extension : {"ply", "obj", "stl", "off"})
+        for (const char* extension : {"ply", "obj", "stl", "off", "glb", "xyz"})
             survives(sample.bytes, extension);
 }
 

@@ -185,8 +185,9 @@ TEST(Off, BinaryIsBigEndian) {
     // leave that word out.
     EXPECT_EQ(parse(file.substr(0, file.size() - 4), "off").triangles, mesh.triangles);
     for (std::size_t size = 0; size < file.size(); ++size)
-        if (size + 4 != file.size())
+        if (size + 4 != file.size()) {
             EXPECT_NE(status_of(file.substr(0, size), "off"), Status::ok) << size;
+        }
 }
 
 TEST(Off, BrokenFilesAreRefused) {
