@@ -10,10 +10,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// By the library's own table of formats.
 bool is_mesh(const fs::path& path) {
     std::string extension = path.extension().u8string();
     for (char& c : extension) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-    return extension == ".ply" || extension == ".obj" || extension == ".stl" || extension == ".off";
+    for (std::uint32_t k = 0; k < mien_mesh_format_count(); ++k)
+        if (extension == std::string(".") + mien_mesh_format_extension(k)) return true;
+    return false;
 }
 
 Capture capture_of(const fs::path& mesh, bool own_folder) {

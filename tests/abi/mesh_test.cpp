@@ -140,7 +140,7 @@ TEST(Mesh, EveryRetainNeedsARelease) {
 TEST(Mesh, FilesGoAndComeBack) {
     Session session;
     const Mesh mesh = make_square(session);
-    for (const char* extension : {"ply", "obj", "stl", "off"}) {
+    for (const char* extension : {"ply", "obj", "stl", "off", "glb"}) {
         const std::string path = temporary_path(std::string("square.") + extension);
         ASSERT_EQ(MIEN_OK, mien_mesh_save(session, mesh.get(), path.c_str(), nullptr)) << extension;
         mien_mesh* read = nullptr;

@@ -86,8 +86,10 @@ std::string file_of(const std::string& function) {
     // mien_score_model_load_trusted -> abuse_score_model.safetensors
     const std::size_t end = std::min(function.rfind("_load"), function.rfind("_save"));
     const std::string kind = end == std::string::npos ? function : function.substr(5, end - 5);
+    if (kind == "mesh")
+        return function.find("target") == std::string::npos ? "abuse_mesh.ply" : "abuse_mesh.glb";
     const bool text = kind == "landmarks" || kind == "zones";
-    return "abuse_" + kind + (kind == "mesh" ? ".ply" : text ? ".json" : ".safetensors");
+    return "abuse_" + kind + (text ? ".json" : ".safetensors");
 }
 
 const char* good_text(const FunctionRow& row, const std::string& name) {
