@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/json.hpp"
+#include "mesh/text_cursor.hpp"
 
 namespace mien {
 namespace landmark_formats {
@@ -41,11 +42,6 @@ double unit_of_name(const std::string& name) {
 }  // namespace landmark_formats
 
 namespace {
-
-bool ends_with(const std::string& text, const char* end) {
-    const std::size_t length = std::strlen(end);
-    return text.size() >= length && text.compare(text.size() - length, length, end) == 0;
-}
 
 void check_names(const std::vector<Mark>& marks, const std::string& path) {
     std::set<std::string> seen;

@@ -7,6 +7,7 @@
 #include "base/file.hpp"
 #include "base/json_text.hpp"
 #include "mesh/landmark_file.hpp"
+#include "mesh/text_cursor.hpp"
 
 namespace mien {
 namespace {
@@ -162,11 +163,6 @@ std::string points_text(const LandmarkFile& file) {
     for (const Mark& mark : file.marks)
         text += picked(mark) ? place_of(mark, " ") + "\n" : std::string("nan nan nan\n");
     return text + "}\n";
-}
-
-bool ends_with(const std::string& text, const char* end) {
-    const std::size_t length = std::strlen(end);
-    return text.size() >= length && text.compare(text.size() - length, length, end) == 0;
 }
 
 }  // namespace

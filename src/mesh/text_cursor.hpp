@@ -6,11 +6,17 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <string>
 #include <system_error>
 
 #include "base/error.hpp"
 
 namespace mien {
+
+inline bool ends_with(const std::string& text, const char* end) {
+    const std::size_t length = std::strlen(end);
+    return text.size() >= length && text.compare(text.size() - length, length, end) == 0;
+}
 
 class TextCursor {
   public:
