@@ -29,20 +29,21 @@ namespace {
 constexpr double kRadius95 = 2.7955;
 
 mien_register_options default_register_options() {
-    const RegistrationOptions core;
+    const RegistrationSettings core;
+    const LoopSettings& loop = core.fit.loop;
     mien_register_options options{};
-    options.growth = static_cast<std::int32_t>(core.growth);
-    options.landmark_sigma_mm = core.landmark_sigma_mm;
-    options.close_gap = core.close_gap ? 1 : 0;
+    options.growth = static_cast<std::int32_t>(loop.growth);
+    options.landmark_sigma_mm = core.start.landmark_sigma_mm;
+    options.close_gap = core.gap.enabled ? 1 : 0;
     options.max_scalar_modes = -1;
     options.max_pca_modes = -1;
-    options.reject_border = core.correspondence.reject_border ? 1 : 0;
-    options.sigma_start_mm = core.sigma_start_mm;
-    options.sigma_end_mm = core.sigma_end_mm;
-    options.max_angle_deg = core.correspondence.max_angle_deg;
+    options.reject_border = loop.match.reject_border ? 1 : 0;
+    options.sigma_start_mm = loop.sigma_start_mm;
+    options.sigma_end_mm = loop.sigma_end_mm;
+    options.max_angle_deg = loop.match.max_angle_deg;
     options.start_rotation[0] = options.start_rotation[4] = options.start_rotation[8] = 1;
     options.start_scale = 1;
-    options.color_features = core.color_features ? 1 : 0;
+    options.color_features = core.colors.enabled ? 1 : 0;
     return options;
 }
 
@@ -52,7 +53,7 @@ void require_range(std::int32_t value, std::int32_t low, std::int32_t high, cons
              high);
 }
 
-RegistrationOptions convert(const mien_register_options& given) {
+void check_options(const mien_register_options& given) {
     require_range(given.growth, 0, 3, "growth");
     require_range(given.start, 0, 3, "start");
     require_range(given.units, 0, 2, "units");
@@ -70,29 +71,35 @@ RegistrationOptions convert(const mien_register_options& given) {
     for (const double number : given.start_rotation) check_numbers({{"start_rotation", number}});
     for (const double number : given.start_translation)
         check_numbers({{"start_translation", number}});
-    RegistrationOptions options;
-    options.growth = static_cast<ModeGrowth>(given.growth);
-    options.start = static_cast<StartKind>(given.start);
-    options.units = static_cast<UnitRule>(given.units);
-    options.skin_weights = given.skin_weights == 1;
-    options.close_gap = given.close_gap == 1;
-    options.color_features = given.color_features == 1;
-    options.correspondence.reject_border = given.reject_border == 1;
-    options.landmark_sigma_mm = given.landmark_sigma_mm;
-    options.max_scalar_modes = given.max_scalar_modes;
-    options.max_pca_modes = given.max_pca_modes;
-    if (given.iterations > 0) options.iterations = given.iterations;
-    options.sigma_start_mm = given.sigma_start_mm;
-    options.sigma_end_mm = given.sigma_end_mm;
-    options.correspondence.max_angle_deg = given.max_angle_deg;
-    for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) options.pose.rotation(i, j) = given.start_rotation[3 * i + j];
-        options.pose.translation[i] = given.start_translation[i];
-    }
-    options.pose.scale = given.start_scale;
+}
+
+RegistrationSettings convert(const mien_register_options& given) {
+    check_options(given);
+    RegistrationSettings settings;
+    settings.intake.units = static_cast<UnitRule>(given.units);
+    settings.intake.skin_weights = given.skin_weights == 1;
     if (given.scan_weights.count != 0)
-        options.scan_weights = read_values(given.scan_weights, "options.scan_weights");
-    return options;
+        settings.intake.weight_per_vertex = read_values(given.scan_weights, "options.scan_weights");
+    settings.prior.max_scalar_modes = given.max_scalar_modes;
+    settings.prior.max_pca_modes = given.max_pca_modes;
+    settings.colors.enabled = given.color_features == 1;
+    settings.start.kind = static_cast<StartKind>(given.start);
+    settings.start.landmark_sigma_mm = given.landmark_sigma_mm;
+    Similarity& pose = settings.start.pose;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) pose.rotation(i, j) = given.start_rotation[3 * i + j];
+        pose.translation[i] = given.start_translation[i];
+    }
+    pose.scale = given.start_scale;
+    LoopSettings& loop = settings.fit.loop;
+    loop.growth = static_cast<ModeGrowth>(given.growth);
+    if (given.iterations > 0) loop.rounds = given.iterations;
+    loop.sigma_start_mm = given.sigma_start_mm;
+    loop.sigma_end_mm = given.sigma_end_mm;
+    loop.match.reject_border = given.reject_border == 1;
+    loop.match.max_angle_deg = given.max_angle_deg;
+    settings.gap.enabled = given.close_gap == 1;
+    return settings;
 }
 
 std::vector<LandmarkPoint> read_landmarks(const mien_register_options& given) {

@@ -14,11 +14,35 @@
 #include <vector>
 
 #include "base/context.hpp"
+#include "mesh/adjacency.hpp"
 #include "model/deformation_model.hpp"
 #include "registration/correspondence.hpp"
-#include "registration/refine.hpp"
 
 namespace mien {
+
+/// Tags in brackets: registration/settings.hpp.
+struct ColorFeatureSettings {
+    bool enabled = true;  ///< [A]
+    // Where the features lie on the template, mm, > 0: half of a brow's height, the slope of its
+    // edge and of the lips', how much skin around them is looked at, and how far from the mouth's
+    // ring lips reach in depth. [J]
+    double brow_half_mm = 3.5, brow_edge_mm = 3, brow_skin_mm = 14;
+    double lip_edge_mm = 2, lip_skin_mm = 9, lip_depth_mm = 20;
+    /// Logarithms, > 0, as the signals: full trust in a feature of this contrast or more, none
+    /// below half of it. [J]
+    double contrast_red = 0.1, contrast_dark = 0.2;
+    double noise = 0.15;  ///< > 0, of a contrast of 1: least deviation of what is seen [J]
+    double shared = 2;    ///< >= 1, on the mean square seen: a brow of another shape errs along
+                          ///< whole edges [J]
+    double clip = 0.5;    ///< >= 0: how far beyond 0 and 1 a scaled signal may lie [J]
+    double core = 0.5;    ///< 0 to 1: the middle share of the sorted tones that is averaged [J]
+    /// Correlations of what is expected and what is seen: no pull below, full pull above. [J]
+    double no_pull = 0.1, full_pull = 0.5;
+    double sharpest_mm = 1;      ///< blur of a look that does not have to feel from afar [J]
+    double spread_rounds = 2.3;  ///< rounds of averaging over the ring per squared edge of blur: a
+                                 ///< round spreads a value by about two thirds of an edge
+    std::size_t fewest = 10;     ///< vertices of a feature that must see the scan [J]
+};
 
 /// A vertex should move so that gradient . movement = difference, scan frame, mm.
 struct ColorPull {
@@ -36,6 +60,7 @@ struct ColorAgreement {
         0;  ///< of what is expected and what is seen, -1 to 1; 0 where the scan shows no contrast
 };
 
+/// What a model's template says of brows and lips; scans are asked with each call. Immutable.
 class ColorFeatures {
   public:
     /// Knows nothing: no pull ever.
@@ -43,36 +68,30 @@ class ColorFeatures {
 
     /// Brows along the landmarks brow_right_0 .. 4 and brow_left_0 .. 4; lips by the zone "lips"
     /// (the vermilion), else within mouth_outer_00 .. 11 (68-point scheme). What the model does not
-    /// name is left out. `inner`: vertices without a say (inner.hpp). `scan` and `scan_weight` (per
-    /// scan vertex or empty) must outlive this; `colors`: one row per vertex of the scan, or empty:
-    /// then there are no features.
+    /// name is left out. `inner`: vertices excluded from correspondence (inner.hpp).
     ColorFeatures(const DeformationModel& model, const std::vector<std::uint8_t>& inner,
-                  const ScanSurface& scan, const Vector& scan_weight, const Colors& colors,
-                  const Context& context);
+                  const ColorFeatureSettings& settings, const Context& context);
 
     bool empty() const { return features_.empty(); }
 
     /// `places` and `normals`: of all vertices of the template, scan frame. A feature that the scan
-    /// shows too faintly, or quite elsewhere, does not pull. `matches`: of the round before, or
-    /// empty; hints for the search.
-    std::vector<ColorPull> pulls(const Points& places, const Points& normals,
-                                 const CorrespondenceOptions& match, double blur_mm,
+    /// shows too faintly, or quite elsewhere, does not pull; nor does any on a scan without
+    /// colours. `matches`: of the round before, or empty; hints for the search.
+    std::vector<ColorPull> pulls(const ScanView& scan, const Points& places, const Points& normals,
+                                 const CorrespondenceSettings& match, double blur_mm,
                                  std::vector<Correspondences>& matches,
                                  const Context& context) const;
 
-    /// One per feature.
-    std::vector<ColorAgreement> agreements(const Points& places, const Points& normals,
-                                           const CorrespondenceOptions& match,
+    /// One per feature; none on a scan without colours.
+    std::vector<ColorAgreement> agreements(const ScanView& scan, const Points& places,
+                                           const Points& normals,
+                                           const CorrespondenceSettings& match,
                                            const Context& context) const;
 
-    /// Redness log(R / G) and darkness -log(luminance) of the scan at a hit.
-    Eigen::Vector2d signals_at(const SurfaceHit& hit) const;
-
   private:
-    enum Signal { redness, darkness };
     struct Feature {
         const char* name = "";
-        Signal signal = redness;
+        ColorSignal signal = ColorSignal::redness;
         std::vector<Index> vertices;  // the feature and the skin around it
         Triangles triangles;          // among them
         VertexRings rings;
@@ -84,17 +103,17 @@ class ColorFeatures {
         Vector seen, expected, weight;
         double trust = 0, correlation = 0;
     };
-    void add(const char* name, Signal signal, const DeformationModel& model,
+    void add(const char* name, ColorSignal signal, const DeformationModel& model,
              const std::vector<std::uint8_t>& inner, const std::vector<double>& inside_mm,
              double ramp_mm, double around_mm);
     // False when the scan shows nothing of the feature.
-    bool look(const Feature& feature, const Points& places, const Points& normals,
-              const CorrespondenceOptions& match, double blur_mm, Correspondences& found,
-              View& view, const Context& context) const;
+    bool look(const Feature& feature, const ScanView& scan, const Points& places,
+              const Points& normals, const CorrespondenceSettings& match, double blur_mm,
+              Correspondences& found, View& view, const Context& context) const;
+    bool scale_tones(const Feature& feature, const ScanView& scan, const Correspondences& found,
+                     View& view) const;
 
-    const ScanSurface* scan_ = nullptr;
-    const Vector* scan_weight_ = nullptr;
-    Eigen::Matrix<float, Eigen::Dynamic, 2, Eigen::RowMajor> signals_;
+    ColorFeatureSettings settings_;
     std::vector<Feature> features_;
 };
 

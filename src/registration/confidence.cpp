@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/dense.hpp"
+#include "base/error.hpp"
 #include "base/parallel.hpp"
 
 namespace mien {
@@ -68,43 +69,60 @@ Vector left_out_variance(const DeformationModel& model, Index p, Index all_p, do
     return variance;
 }
 
-}  // namespace
+// The modes that the posterior is of, and one deviation of each in mm: trained modes, then the
+// kernel's axis by axis.
+struct Unknowns {
+    Index p, r;
+    Eigen::VectorXf scale;
+    Index size() const { return p + 3 * r; }
 
-Vector place_deviation(const DeformationModel& model, const FitState& state, const Vector& weight,
-                       const PointsRef& normals_model, const std::vector<Pin>& pins,
-                       const RegistrationOptions& options, const Context& context) {
-    const Index n = model.num_vertices();
-    const Index p = std::min<Index>(state.coefficients.pca.size(), 80);
-    const Index r = std::min<Index>(state.coefficients.kernel.rows(), p > 0 ? 30 : 60);
-    const Index q = p + 3 * r;
-    const double ka = state.kernel_amplitude, pa = options.pca_amplitude;
-    // One deviation of each mode, in mm: trained modes, then the kernel's axis by axis.
-    Eigen::VectorXf scale = Eigen::VectorXf::Constant(q, static_cast<float>(ka));
-    scale.head(p).setConstant(static_cast<float>(pa));
-    if (model.prior_variance.rows() >= r)
-        for (int axis = 0; axis < 3; ++axis)
-            scale.segment(p + axis * r, r).array() *=
-                model.prior_variance.col(axis).head(r).cast<float>().array().max(1e-4f).sqrt();
-    const auto block_of = [&](Index i, Eigen::Matrix<float, 3, Eigen::Dynamic>& block) {
-        block.setZero(3, q);
+    void block_of(const DeformationModel& model, Index i,
+                  Eigen::Matrix<float, 3, Eigen::Dynamic>& block) const {
+        block.setZero(3, size());
         if (p > 0) block.leftCols(p) = model.pca_modes.map().block(3 * i, 0, 3, p);
         for (int axis = 0; axis < 3 && r > 0; ++axis)
             block.row(axis).segment(p + axis * r, r) = model.basis.map().row(i).head(r);
         block *= scale.asDiagonal();
-    };
+    }
+};
 
-    // A few hundred places speak for the smooth modes: neighbours' errors are alike, so each of
-    // them counts as one observation of the surface's plane, and not as one per vertex.
-    const Index stride = std::max<Index>(1, n / 1500);
+Unknowns choose_unknowns(const DeformationModel& model, const FitState& state, double pca_amplitude,
+                         const ConfidenceSettings& settings) {
+    Unknowns u;
+    u.p = std::min<Index>(state.coefficients.pca.size(), settings.pca_modes);
+    u.r = std::min<Index>(state.coefficients.kernel.rows(),
+                          u.p > 0 ? settings.kernel_modes_beside : settings.kernel_modes_alone);
+    u.scale = Eigen::VectorXf::Constant(u.size(), static_cast<float>(state.kernel_amplitude));
+    u.scale.head(u.p).setConstant(static_cast<float>(pca_amplitude));
+    if (model.prior_variance.rows() >= u.r)
+        for (int axis = 0; axis < 3; ++axis)
+            u.scale.segment(u.p + axis * u.r, u.r).array() *=
+                model.prior_variance.col(axis)
+                    .head(u.r)
+                    .cast<float>()
+                    .array()
+                    .max(static_cast<float>(settings.least_variance))
+                    .sqrt();
+    return u;
+}
+
+// One row per observation, over its deviation: planes of the places that stand for the surface,
+// then three axes of each pin.
+Eigen::MatrixXf observations(const DeformationModel& model, const Unknowns& unknowns,
+                             const Vector& weight, const PointsRef& normals_model,
+                             const std::vector<Pin>& pins, double sigma_mm,
+                             const ConfidenceSettings& settings, const Context& context) {
+    const Index n = model.num_vertices();
+    const Index stride = std::max<Index>(1, n / settings.rows);
     std::vector<Index> rows;
     for (Index i = 0; i < n; i += stride)
-        if (weight[i] > 0.05) rows.push_back(i);
-    const double sigma = std::max(0.5, state.sigma_mm);
-    Eigen::MatrixXf observed(static_cast<Index>(rows.size() + 3 * pins.size()), q);
+        if (weight[i] > settings.least_weight) rows.push_back(i);
+    const double sigma = std::max(settings.least_sigma_mm, sigma_mm);
+    Eigen::MatrixXf observed(static_cast<Index>(rows.size() + 3 * pins.size()), unknowns.size());
     parallel_for(context, rows.size(), 128, [&](std::size_t begin, std::size_t end) {
         Eigen::Matrix<float, 3, Eigen::Dynamic> block;
         for (std::size_t k = begin; k < end; ++k) {
-            block_of(rows[k], block);
+            unknowns.block_of(model, rows[k], block);
             observed.row(static_cast<Index>(k)) =
                 static_cast<float>(std::sqrt(weight[rows[k]]) / sigma) *
                 normals_model.row(rows[k]).cast<float>() * block;
@@ -112,29 +130,47 @@ Vector place_deviation(const DeformationModel& model, const FitState& state, con
     });
     Eigen::Matrix<float, 3, Eigen::Dynamic> pin_block;
     for (std::size_t k = 0; k < pins.size(); ++k) {
-        block_of(pins[k].vertex, pin_block);
+        unknowns.block_of(model, pins[k].vertex, pin_block);
         observed.middleRows(static_cast<Index>(rows.size() + 3 * k), 3) =
             pin_block / static_cast<float>(pins[k].sigma_mm);
     }
-    Vector variance = Vector::Zero(n);
+    return observed;
+}
+
+}  // namespace
+
+Vector place_deviation(const DeformationModel& model, const FitState& state,
+                       const FitFreedom& freedom, const Vector& weight,
+                       const PointsRef& normals_model, const std::vector<Pin>& pins,
+                       double sigma_mm, const ConfidenceSettings& settings,
+                       const Context& context) {
+    const Unknowns unknowns = choose_unknowns(model, state, freedom.pca_amplitude, settings);
+    const Index p = unknowns.p, r = unknowns.r, q = unknowns.size();
+    Vector variance = Vector::Zero(model.num_vertices());
     if (q > 0) {
+        const Eigen::MatrixXf observed =
+            observations(model, unknowns, weight, normals_model, pins, sigma_mm, settings, context);
         Eigen::MatrixXf information(q, q);
         dense::weighted_gram(context, observed, Eigen::VectorXf(), information);
-        information.diagonal().array() += 1.0f;
-        if (!dense::factor_spd(information)) return Vector::Constant(n, 10.0);
-        variance = explained_variance(information, scale, p, r, model, context);
+        information.diagonal().array() += 1.0f;  // the prior's own, as modes are in deviations
+        const bool definite = dense::factor_spd(information);
+        if (definite)
+            variance = explained_variance(information, unknowns.scale, p, r, model, context);
+        if (!definite || !variance.allFinite())  // infinities pass the factorisation
+            fail(Status::no_solution,
+                 "registration, confidence: the information of %lld modes is not positive "
+                 "definite; check the landmarks' sigma and the model's modes",
+                 static_cast<long long>(q));
     }
-    const Vector left_out = left_out_variance(model, p, state.coefficients.pca.size(), pa, r,
-                                              state.coefficients.kernel.rows(), ka, context);
-    // What the formula leaves out: hits that slide together, noise that is not independent, faces
-    // outside the training span, and, away from the scan, all that no observation checks. The
-    // factors were set on scans of other people than those that the tables are made with, so that
-    // the 95 % radius holds nine of ten or more.
-    const double beside = p > 0 ? 2.3 : 1.7, away = p > 0 ? 4.0 : 3.15;
+    const Vector left_out =
+        left_out_variance(model, p, state.coefficients.pca.size(), freedom.pca_amplitude, r,
+                          state.coefficients.kernel.rows(), state.kernel_amplitude, context);
+    const double beside = p > 0 ? settings.beside_trained : settings.beside_kernel,
+                 away = p > 0 ? settings.away_trained : settings.away_kernel;
     // Beside the scan, the surface tells one of three axes and its curvature a part of the others.
     const Eigen::ArrayXd seen = weight.array().max(0.0).min(1.0);
     return (beside * seen + away * (1 - seen)) *
-           ((variance.array() + left_out.array() * (1 - 0.7 * seen)) / 3).sqrt();
+           ((variance.array() + left_out.array() * (1 - settings.seen_share * seen)) / 3).sqrt();
 }
 
 }  // namespace mien

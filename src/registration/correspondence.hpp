@@ -1,43 +1,47 @@
 // Which place of the scan does each template vertex stand for? Closest point on the surface, then
 // filters, then a robust weight that falls with the distance: hair, collars, spikes and the far rim
-// of a hole lose their say instead of being cut off at once (2.5.2.3 names the filters).
+// of a hole lose weight instead of being cut off at once (2.5.2.3 names the filters).
+//
+// Every filter is a ramp: at a hard cut rounding decides, and a turned scan ends elsewhere.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "base/context.hpp"
-#include "base/scalar_math.hpp"
 #include "registration/scan_surface.hpp"
 
 namespace mien {
 
 enum class RobustWeight { none, welsch, huber, tukey };
 
-struct CorrespondenceOptions {
-    bool reject_border = true;  ///< hits on the scan's border
-    double max_angle_deg = 60;  ///< between the normals of vertex and hit, fading over 5 degrees to
-                                ///< both sides; 180: no filter
-    double max_distance_mm = 1e30;
-    bool mutual = false;  ///< the hit's nearest template vertex must be near the vertex
-    double mutual_distance_mm = 3;
-    RobustWeight robust = RobustWeight::welsch;
-    double robust_scale_mm = 3;  ///< where the weight falls to exp(-1/2) (Welsch)
+/// Tags in brackets: registration/settings.hpp.
+struct CorrespondenceSettings {
+    bool reject_border = true;  ///< hits on the scan's border [A]
+    double border_ramp = 0.2;   ///< > 0, share of the way to the border's next row of vertices over
+                                ///< which a hit gains its weight [J]
+    double max_angle_deg = 60;  ///< > 0: between the normals of vertex and hit; from 180: no filter
+                                ///< [A]
+    double angle_ramp_deg = 5;  ///< > 0: to both sides of it [J]
+    double max_distance_mm = std::numeric_limits<double>::infinity();  ///< mm, > 0
+    RobustWeight robust = RobustWeight::welsch;                        ///< [A]
+    double robust_scale_mm = 3;  ///< mm, > 0: where the weight falls to exp(-1/2) (Welsch); the
+                                 ///< rounds of a fit set their own
 };
 
 struct Correspondences {
     std::vector<SurfaceHit> hits;  ///< #V; also the next round's hints
     Points normals;                ///< #V x 3 of the scan at the hit, scan frame
-    Vector weight;                 ///< #V, 0 where a filter said no
+    Vector weight;                 ///< #V, 0 where a filter refused the hit
 };
 
-/// `places` and `place_normals` are the template's, #V x 3, scan frame. `scan_weight` is empty or
-/// one weight per scan vertex. Old hits in `result` are used as hints.
-void find_correspondences(const ScanSurface& scan, const PointsRef& places,
-                          const PointsRef& place_normals, const Vector& scan_weight,
-                          const CorrespondenceOptions& options, Correspondences& result,
-                          const Context& context);
+/// `places` and `place_normals` are the template's, #V x 3, scan frame. Old hits in `result` are
+/// used as hints. O(#V log F).
+void find_correspondences(const ScanView& scan, const PointsRef& places,
+                          const PointsRef& place_normals, const CorrespondenceSettings& settings,
+                          Correspondences& result, const Context& context);
 
-/// Weight of a residual: 1 at zero.
+/// Weight of a residual: 1 at zero. `scale` in the residual's unit.
 double robust_weight(RobustWeight kind, double residual, double scale);
 
 }  // namespace mien

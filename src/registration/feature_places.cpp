@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <limits>
 
+#include "model/landmarks.hpp"
 #include "spatial/triangle_tree.hpp"
 
 namespace mien {
@@ -19,11 +20,11 @@ std::vector<Vector3> landmark_places(const DeformationModel& model, const std::s
         number.insert(
             0, static_cast<std::size_t>(std::max(0, digits - static_cast<int>(number.size()))),
             '0');
-        for (const Landmark& landmark : model.landmarks)
-            if (landmark.name == prefix + number)
-                places.push_back(model.template_mesh.vertices.row(landmark.vertex).transpose());
+        const Landmark* landmark = find_landmark(model.landmarks, prefix + number);
+        if (landmark == nullptr) return {};
+        places.push_back(model.template_mesh.vertices.row(landmark->vertex).transpose());
     }
-    return static_cast<int>(places.size()) == count ? places : std::vector<Vector3>();
+    return places;
 }
 
 double distance_to_line(const Vector3& point, const std::vector<Vector3>& line, bool closed) {
@@ -97,18 +98,17 @@ std::vector<double> inside_brow_mm(const DeformationModel& model, const std::str
     return inside_mm;
 }
 
-std::vector<double> inside_lips_mm(const DeformationModel& model, const Context& context) {
-    for (const Zone& zone : model.zones)
-        if (zone.name == "lips") return inside_zone_mm(model.template_mesh, zone, context);
+std::vector<double> inside_lips_mm(const DeformationModel& model, double depth_mm,
+                                   const Context& context) {
+    if (const Zone* lips = find_zone(model.zones, "lips"))
+        return inside_zone_mm(model.template_mesh, *lips, context);
     const std::vector<Vector3> ring = landmark_places(model, "mouth_outer_", 12, 2);
     if (ring.empty()) return {};
-    constexpr double kDepth_mm =
-        20;  // the throat and the nape lie within the ring too, seen from the front
     std::vector<double> inside_mm(static_cast<std::size_t>(model.num_vertices()));
     for (std::size_t i = 0; i < inside_mm.size(); ++i) {
         const Vector3 at = model.template_mesh.vertices.row(static_cast<Index>(i)).transpose();
         const double distance = distance_to_line(at, ring, true);
-        inside_mm[i] = distance < kDepth_mm && is_within(at, ring) ? distance : -distance;
+        inside_mm[i] = distance < depth_mm && is_within(at, ring) ? distance : -distance;
     }
     return inside_mm;
 }

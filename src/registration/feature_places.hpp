@@ -15,7 +15,10 @@ std::vector<double> inside_brow_mm(const DeformationModel& model, const std::str
                                    double half_mm);
 
 /// The same for the lips: inside of the zone "lips" (the vermilion), else of the ring
-/// mouth_outer_00 .. 11, seen along the ring's normal; empty when the model has neither.
-std::vector<double> inside_lips_mm(const DeformationModel& model, const Context& context);
+/// mouth_outer_00 .. 11, seen along the ring's normal and no farther from it than `depth_mm` (the
+/// throat and the nape lie within the ring too, seen from the front); empty when the model has
+/// neither. O(#V log of the rim).
+std::vector<double> inside_lips_mm(const DeformationModel& model, double depth_mm,
+                                   const Context& context);
 
 }  // namespace mien

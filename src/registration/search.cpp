@@ -1,15 +1,14 @@
-// Search of the pose without landmarks. The tip of the nose is what stands out along the viewing
-// direction: for each rotation of a grid, the scan's local summits along that direction are tried
-// as the tip; a coarse score picks candidates, trimmed ICP sharpens them, a finer score decides.
+#include "registration/search.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <Eigen/Geometry>
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "base/scalar_math.hpp"
 #include "geometry/alignment.hpp"
 #include "geometry/normals.hpp"
-#include "registration/start.hpp"
 
 namespace mien {
 namespace {
@@ -25,7 +24,9 @@ Points rest_shape(const DeformationModel& model) {
     return shape;
 }
 
-Probe make_probe(const DeformationModel& model, Index count, double radius_mm) {
+Probe make_probe(const DeformationModel& model, const ProbeSettings& settings, double facing) {
+    const Index count = settings.vertices;
+    const double radius_mm = settings.radius_mm;
     const Points shape = rest_shape(model);
     const Points normals = vertex_normals(shape, model.template_mesh.triangles);
     Probe probe;
@@ -34,17 +35,18 @@ Probe make_probe(const DeformationModel& model, Index count, double radius_mm) {
     probe.tip = shape.row(tip).transpose();
     std::vector<Index> inside;
     for (Index i = 0; i < shape.rows(); ++i)
-        if ((shape.row(i).transpose() - probe.tip).norm() < radius_mm && normals(i, 2) > 0.2)
+        if ((shape.row(i).transpose() - probe.tip).norm() < radius_mm && normals(i, 2) > facing)
             inside.push_back(i);
     // Vertices crowd at lids and lips; keep at most one per cell of a coarse grid.
     std::vector<Index> taken;
-    double cell =
+    const double cell =
         std::sqrt(3.0 * radius_mm * radius_mm / static_cast<double>(std::max<Index>(1, count)));
+    constexpr long long kMiddle = 1000;  // more cells than a head has to a side
     std::vector<std::pair<long long, Index>> keyed;
     for (Index i : inside) {
         const long long a = std::llround((shape(i, 0) - probe.tip[0]) / cell),
                         b = std::llround((shape(i, 1) - probe.tip[1]) / cell);
-        keyed.push_back({(a + 1000) * 4000 + b + 1000, i});
+        keyed.push_back({(a + kMiddle) * 4 * kMiddle + b + kMiddle, i});
     }
     std::sort(keyed.begin(), keyed.end());
     for (std::size_t k = 0; k < keyed.size(); ++k)
@@ -58,11 +60,13 @@ Probe make_probe(const DeformationModel& model, Index count, double radius_mm) {
     return probe;
 }
 
-// Mean over the probe of exp(-d^2 / 2 s^2) times the agreement of the normals.
-double score(const Probe& probe, const ScanSurface& scan, const Similarity& motion, double s) {
+// The score at scale `s`, mm.
+double score(const Probe& probe, const ScanView& scan, const Similarity& motion, double s,
+             const SearchSettings& settings) {
     double sum = 0;
     for (Index i = 0; i < probe.places.rows(); ++i) {
-        const SurfaceHit hit = scan.tree.closest(motion.apply(Vector3(probe.places.row(i))), 3 * s);
+        const SurfaceHit hit =
+            scan.tree().closest(motion.apply(Vector3(probe.places.row(i))), settings.reach * s);
         if (!hit.valid()) continue;
         const double agreement =
             scan.normal_at(hit).dot(motion.rotation * probe.normals.row(i).transpose());
@@ -72,31 +76,33 @@ double score(const Probe& probe, const ScanSurface& scan, const Similarity& moti
     return sum / static_cast<double>(std::max<Index>(1, probe.places.rows()));
 }
 
-// Point-to-point with robust weights; the far part of the probe has no say.
-Similarity sharpen(const Probe& probe, const ScanSurface& scan, Similarity motion, int rounds,
-                   double s0, double s1, bool with_scale) {
+// Point-to-point with robust weights; the far part of the probe gets none.
+Similarity sharpen(const Probe& probe, const ScanView& scan, Similarity motion,
+                   const SharpenSettings& schedule, const SearchSettings& settings) {
+    const int rounds = schedule.rounds;
     for (int round = 0; round < rounds; ++round) {
-        const double s =
-            s0 * std::pow(s1 / s0, rounds > 1 ? static_cast<double>(round) / (rounds - 1) : 1);
+        const double s = schedule.start_mm *
+                         std::pow(schedule.end_mm / schedule.start_mm,
+                                  rounds > 1 ? static_cast<double>(round) / (rounds - 1) : 1);
         Points target(probe.places.rows(), 3);
         Vector weight = Vector::Zero(probe.places.rows());
         for (Index i = 0; i < probe.places.rows(); ++i) {
             const Vector3 place = motion.apply(Vector3(probe.places.row(i)));
-            const SurfaceHit hit = scan.tree.closest(place, 3 * s);
+            const SurfaceHit hit = scan.tree().closest(place, settings.reach * s);
             target.row(i) = place.transpose();
-            if (!hit.valid() || scan.at_border(hit)) continue;
+            if (!hit.valid() || scan.surface().at_border(hit)) continue;
             const Vector3 normal = scan.normal_at(hit);
             const double agreement = normal.dot(motion.rotation * probe.normals.row(i).transpose());
-            if (agreement <= 0.2) continue;
-            // Overshoot along the normal: point-to-point alone crawls.
-            target.row(i) = (place + 1.5 * (hit.point - place)).transpose();
+            if (agreement <= settings.sharpen_facing) continue;
+            target.row(i) = (place + settings.overshoot * (hit.point - place)).transpose();
             weight[i] = agreement * std::exp(-0.5 * hit.squared_distance / (s * s));
         }
-        if (weight.sum() < 5) return motion;
+        if (weight.sum() < settings.least_weight) return motion;
         try {
-            motion = align_points(probe.places, target, weight, with_scale);
-        } catch (const Error&) {
-            return motion;
+            motion = align_points(probe.places, target, weight, false);
+        } catch (const Error& error) {
+            if (error.status() != Status::no_solution) throw;
+            return motion;  // what is near lies on a line
         }
     }
     return motion;
@@ -117,72 +123,103 @@ std::vector<Matrix3> rotation_grid(double max_rad, double step_rad) {
     return grid;
 }
 
+// A thinned scan for the summits: every k-th vertex that has a normal.
+std::vector<Index> thin_out(const ScanView& scan, Index about) {
+    const Index count = scan.surface().vertices.rows();
+    const Index stride = std::max<Index>(1, count / about);
+    std::vector<Index> thin;
+    for (Index i = 0; i < count; i += stride)
+        if (!scan.vertex_normal(i).isZero(0)) thin.push_back(i);
+    return thin;
+}
+
+// The scan's highest places along `view` that face it, highest first.
+std::vector<Vector3> find_summits(const ScanView& scan, const std::vector<Index>& thin,
+                                  const Vector3& view, const SearchSettings& settings) {
+    const Points& vertices = scan.surface().vertices;
+    std::vector<std::pair<double, Index>> heights(thin.size());
+    for (std::size_t j = 0; j < thin.size(); ++j)
+        heights[j] = {-vertices.row(thin[j]).dot(view), thin[j]};
+    std::sort(heights.begin(), heights.end());
+    std::vector<Vector3> summits;
+    for (const auto& [height, i] : heights) {
+        const Vector3 place = vertices.row(i).transpose();
+        if (scan.vertex_normal(i).dot(view) < settings.summit_facing) continue;
+        bool apart = true;
+        for (const Vector3& other : summits)
+            apart = apart && (place - other).norm() > settings.summit_distance_mm;
+        if (!apart) continue;
+        summits.push_back(place);
+        if (summits.size() == static_cast<std::size_t>(settings.summits)) break;
+    }
+    return summits;
+}
+
+struct Candidate {
+    Similarity motion;
+    double score = 0;
+};
+
+// Best first; equal ones in their order.
+void rank(std::vector<Candidate>& candidates) {
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
+}
+
 }  // namespace
 
-SearchResult search_pose(const DeformationModel& model, const ScanSurface& scan,
-                         const Context& context) {
-    constexpr double kDegree = 3.14159265358979323846 / 180;
-    const Probe coarse = make_probe(model, 70, 75), fine = make_probe(model, 400, 85);
-    if (coarse.places.rows() < 10)
+SearchResult search_pose(const DeformationModel& model, const ScanView& scan,
+                         const SearchSettings& settings, const Context& context) {
+    const Probe coarse = make_probe(model, settings.coarse, settings.probe_facing),
+                fine = make_probe(model, settings.fine, settings.probe_facing);
+    if (coarse.places.rows() < settings.fewest_probes)
         fail(Status::no_solution,
              "the template shows no face towards +z; give landmarks or a pose");
-
-    // A thinned scan for the summits: every k-th vertex that has a normal.
-    const Index stride = std::max<Index>(1, scan.vertices.rows() / 4000);
-    std::vector<Index> thin;
-    for (Index i = 0; i < scan.vertices.rows(); i += stride)
-        if (!scan.normals.row(i).isZero(0)) thin.push_back(i);
-
-    struct Candidate {
-        Similarity motion;
-        double score = 0;
-    };
-    const std::vector<Matrix3> rotations = rotation_grid(66 * kDegree, 22 * kDegree);
-    constexpr int kSummits = 4;
-    std::vector<Candidate> candidates(rotations.size() * kSummits);
+    const std::vector<Index> thin = thin_out(scan, settings.scan_vertices);
+    const std::vector<Matrix3> rotations = rotation_grid(settings.range_deg * kRadiansPerDegree,
+                                                         settings.step_deg * kRadiansPerDegree);
+    const std::size_t most = static_cast<std::size_t>(settings.summits);
+    std::vector<Candidate> candidates(rotations.size() * most);
     parallel_for(context, rotations.size(), 4, [&](std::size_t begin, std::size_t end) {
-        std::vector<std::pair<double, Index>> heights(thin.size());
         for (std::size_t k = begin; k < end; ++k) {
-            const Vector3 view = rotations[k] * Vector3::UnitZ();
-            for (std::size_t j = 0; j < thin.size(); ++j)
-                heights[j] = {-scan.vertices.row(thin[j]).dot(view), thin[j]};
-            std::sort(heights.begin(), heights.end());
-            std::vector<Vector3> summits;
-            for (const auto& [height, i] : heights) {
-                const Vector3 place = scan.vertices.row(i).transpose();
-                if (scan.normals.row(i).dot(view) < 0.6) continue;  // a tip faces the viewer
-                bool apart = true;
-                for (const Vector3& other : summits) apart = apart && (place - other).norm() > 30;
-                if (!apart) continue;
-                summits.push_back(place);
-                if (summits.size() == kSummits) break;
-            }
+            const std::vector<Vector3> summits =
+                find_summits(scan, thin, rotations[k] * Vector3::UnitZ(), settings);
             for (std::size_t s = 0; s < summits.size(); ++s) {
-                Candidate& candidate = candidates[k * kSummits + s];
+                Candidate& candidate = candidates[k * most + s];
                 candidate.motion.rotation = rotations[k];
                 candidate.motion.translation = summits[s] - rotations[k] * coarse.tip;
-                candidate.motion = sharpen(coarse, scan, candidate.motion, 3, 15, 10, false);
-                candidate.score = score(coarse, scan, candidate.motion, 6);
+                candidate.motion =
+                    sharpen(coarse, scan, candidate.motion, settings.first, settings);
+                candidate.score =
+                    score(coarse, scan, candidate.motion, settings.coarse_scale_mm, settings);
             }
         }
     });
     context.progress(Stage::alignment, 0.3);
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
-    candidates.resize(std::min<std::size_t>(candidates.size(), 12));
+    rank(candidates);
+    candidates.resize(std::min(candidates.size(), settings.candidates));
     parallel_for(context, candidates.size(), 1, [&](std::size_t k, std::size_t) {
         Candidate& candidate = candidates[k];
-        candidate.motion = sharpen(coarse, scan, candidate.motion, 15, 12, 3, false);
-        candidate.motion = sharpen(fine, scan, candidate.motion, 8, 5, 3, false);
-        candidate.score = score(fine, scan, candidate.motion, 3);
+        candidate.motion = sharpen(coarse, scan, candidate.motion, settings.second, settings);
+        candidate.motion = sharpen(fine, scan, candidate.motion, settings.third, settings);
+        candidate.score = score(fine, scan, candidate.motion, settings.fine_scale_mm, settings);
     });
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
+    rank(candidates);
     context.progress(Stage::alignment, 0.45);
-    SearchResult result;
-    result.motion = candidates.front().motion;
-    result.score = candidates.front().score;
-    return result;
+    return {candidates.front().motion, candidates.front().score};
+}
+
+SearchResult search_pose_and_side(const DeformationModel& model, ScanView& scan,
+                                  const SearchSettings& settings, const Context& context) {
+    const SearchResult found = search_pose(model, scan, settings, context);
+    if (found.score >= settings.good) return found;
+    scan.turn_over();
+    Context quiet = context;  // the second search would report the first one's fractions again
+    quiet.progress_function = nullptr;
+    const SearchResult turned = search_pose(model, scan, settings, quiet);
+    if (turned.score > found.score + settings.turned_by) return turned;
+    scan.turn_over();
+    return found;
 }
 
 }  // namespace mien

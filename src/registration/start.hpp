@@ -1,53 +1,70 @@
-// Where a fit begins: robust alignment to landmarks, or a search over poses for scans without any.
+// Stage 3, start: where a fit begins. Landmarks are matched by name and weighed; the motion comes
+// from them, from the host, or from a search over poses; fewer than three landmarks are helped by a
+// rough fit. Another way to begin (a fit before this one) is one more StartKind.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "model/deformation_model.hpp"
-#include "registration/nicp.hpp"
-#include "registration/scan_surface.hpp"
+#include "registration/align_pins.hpp"
+#include "registration/free_start.hpp"
+#include "registration/intake.hpp"
+#include "registration/pin_prior.hpp"
+#include "registration/search.hpp"
+#include "registration/shut_lids.hpp"
 
 namespace mien {
 
-/// Motion that brings most of the pinned vertices near their places, whatever a minority does: the
-/// best of many three-point motions by the median distance (least median of squares), then a
-/// reweighted least-squares fit. Throws Status::no_solution when the pins lie on a line.
-Similarity align_robustly(const DeformationModel& model, const std::vector<Pin>& pins,
-                          bool with_scale);
-
-/// Numbers of pins that the others, under the model's prior, contradict: leave-one-out prediction
-///   r_k = (C^-1 d)_k, S_k = (C^-1)_kk,  reject while max r_k' S_k^-1 r_k > limit,
-/// C the prior covariance of the pinned places plus picking noise plus a free motion. Needs at
-/// least five pins. When more than a tenth of them would go, none does: then it is the face that
-/// the prior did not expect, not the picking.
-std::vector<std::size_t> contradicting_pins(const DeformationModel& model,
-                                            const std::vector<Pin>& pins, const Similarity& motion,
-                                            double kernel_amplitude, double pca_amplitude);
-
-/// Factors on the kernel's deviation (1/8 to 8; 1 when trained modes take part) and on the pins'
-/// picking error (1/4 to 1.4).
-struct PinEvidence {
-    double amplitude = 1, noise = 1;
-};
-/// Under which the pins' displacements are likeliest (marginal likelihood, motions left out); ones
-/// for fewer than ten pins.
-PinEvidence weigh_pins(const DeformationModel& model, const std::vector<Pin>& pins,
-                       const Similarity& motion, double kernel_amplitude, double pca_amplitude);
-
-struct SearchResult {
-    Similarity motion;
-    double score =
-        0;  ///< share of the template's inner face near the scan, facing the same way, 0..1
+/// The numbers are the C ABI's numbers.
+enum class StartKind : std::int32_t {
+    automatic = 0,  ///< landmarks when at least three match, else a search over all poses
+    landmarks = 1,
+    pose = 2,  ///< given by the host
+    search = 3,
 };
 
-/// Searches rotations up to about 65 degrees off the model's frontal view (+z out of the face, +y
-/// up) and any shift. Deterministic.
-SearchResult search_pose(const DeformationModel& model, const ScanSurface& scan,
-                         const Context& context);
+/// Does the shape on the scan face the other way? Tags in brackets: registration/settings.hpp.
+struct FacingSettings {
+    double reach_mm = 10;       ///< mm, > 0: places farther from the scan are not asked [J]
+    double least_cosine = 0.3;  ///< 0 to 1: normals across each other say nothing [J]
+    double opposed = 0.6;       ///< 0 to 1: the scan is turned over when a larger share opposes [J]
+};
 
-/// What one unit of the scan is in mm, by its extent: 1, 10, 25.4, 100 or 1000; 0 when nothing fits
-/// a head.
-double detect_unit_mm(const PointsRef& vertices);
+struct StartSettings {
+    StartKind kind = StartKind::automatic;
+    Similarity pose;               ///< template -> scan (mm), for StartKind::pose
+    double landmark_sigma_mm = 2;  ///< mm, > 0: picking error per axis [J]
+    PinAlignmentSettings alignment;
+    PinPriorSettings pin_prior;
+    PinFitSettings pin_fit;
+    SearchSettings search;
+    FacingSettings facing;
+    ApproachSettings approach;
+    OpeningSettings openings;
+    ShutLidSettings lids;
+};
+
+struct StartState {
+    ScanView scan;                      ///< with the side out that faces like the template
+    FitState state;                     ///< motion, and a first shape
+    Similarity motion;                  ///< template -> scan as it was found, before any shape
+    std::vector<Pin> pins;              ///< the landmarks that hold the fit
+    std::vector<Pin> held;              ///< these, and lids that were found shut
+    std::vector<std::string> unknown;   ///< landmarks that the model does not name
+    std::vector<std::string> rejected;  ///< landmarks that the others contradict
+    double search_score = 0;            ///< 0 to 1, of a search; 0 without one
+
+    /// No landmarks hold the fit along the skin.
+    bool is_free() const { return pins.size() < kFewestPins; }
+    static constexpr std::size_t kFewestPins = 3;  ///< fewer leave a motion open
+};
+
+/// `landmarks` in units of the raw scan. `fit`: the settings of the loop that follows. Throws
+/// Status::not_found when landmarks are asked for and fewer than three are known,
+/// invalid_argument for places that are not finite, no_solution when they lie on a line.
+StartState find_start(const DeformationModel& model, const PreparedScan& scan,
+                      const PriorState& prior, const std::vector<LandmarkPoint>& landmarks,
+                      const StartSettings& settings, const LoopSettings& fit,
+                      const Context& context);
 
 }  // namespace mien

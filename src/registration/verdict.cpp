@@ -1,5 +1,6 @@
 #include "registration/verdict.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -28,7 +29,63 @@ class Judge {
     Verdict& verdict_;
 };
 
+// Root mean square distance to the mean.
+double spread(const Points& points) {
+    const Eigen::RowVector3d mean = points.colwise().mean();
+    return std::sqrt((points.rowwise() - mean).rowwise().squaredNorm().mean());
+}
+
+// Of the coefficients, in prior deviations: the larger of the trained modes' and the kernel's.
+double mean_deviation(const FitState& state) {
+    const FitCoefficients& c = state.coefficients;
+    double deviation = 0;
+    if (c.pca.size() > 0)
+        deviation = std::sqrt(c.pca.squaredNorm() / static_cast<double>(c.pca.size()));
+    if (c.kernel.size() > 0)
+        deviation = std::max<double>(
+            deviation, std::sqrt(c.kernel.squaredNorm() / static_cast<double>(c.kernel.size())) /
+                           state.kernel_amplitude);
+    return deviation;
+}
+
+// Coverage, share of inliers and their mean distance.
+void measure_surface(const FinishedFit& finished, const MeasureSettings& settings, Verdict& v) {
+    const Index n = finished.places.rows();
+    const double near =
+        settings.near_sigmas * std::max(finished.fit.trace.sigma_mm, settings.least_sigma_mm);
+    Index beside = 0, inliers = 0;
+    double residual = 0;
+    for (Index i = 0; i < n; ++i) {
+        const SurfaceHit& hit = finished.correspondence[static_cast<std::size_t>(i)];
+        if (!hit.valid() || finished.start.scan.surface().at_border(hit) ||
+            hit.distance() > settings.beside_mm)
+            continue;
+        if (finished.prior.inner[static_cast<std::size_t>(i)]) continue;
+        ++beside;
+        if (hit.distance() > near || !(finished.fit.trace.weight[i] > 0)) continue;
+        ++inliers;
+        residual += hit.distance();
+    }
+    v.coverage = static_cast<double>(beside) / static_cast<double>(n);
+    v.inlier_share = beside > 0 ? static_cast<double>(inliers) / static_cast<double>(beside) : 0;
+    v.mean_residual_mm =
+        inliers > 0 ? residual / static_cast<double>(inliers) : settings.no_residual_mm;
+}
+
 }  // namespace
+
+void measure_fit(const FinishedFit& finished, const MeasureSettings& settings, Verdict& v) {
+    measure_surface(finished, settings, v);
+    const std::vector<Pin>& pins = finished.start.pins;
+    double squares = 0;
+    for (const Pin& pin : pins)
+        squares += (finished.places.row(pin.vertex).transpose() - pin.place).squaredNorm();
+    v.landmarks_used = static_cast<int>(pins.size());
+    v.landmark_rms_mm = pins.empty() ? 0 : std::sqrt(squares / static_cast<double>(pins.size()));
+    v.size_ratio = spread(finished.places) / spread(finished.model.template_mesh.vertices);
+    v.mean_deviation = mean_deviation(finished.fit.state);
+    v.may_slide = finished.start.is_free() && finished.prior.pca_modes == 0;
+}
 
 void judge(Verdict& v, const VerdictLimits& l) {
     v.quality = FitQuality::good;

@@ -83,21 +83,24 @@ Colors painted(const Points& places, const Paint& paint) {
 
 struct Sight {
     ScanSurface scan;
-    Vector no_weights;
     ColorFeatures colors;
     Sight(const PaintedFace& face, const Paint& paint, const Similarity& motion = {}) {
         TriMesh mesh = plate();
         const Colors seen = painted(mesh.vertices, paint);
         mesh.vertices = motion.apply(PointsRef(mesh.vertices));
-        scan = prepare_scan(mesh, 2, {});
-        colors = ColorFeatures(face.model, face.inner, scan, no_weights, seen, {});
+        scan = build_scan_surface(mesh, {}, {});
+        scan.colors = color_signals(seen, {});
+        colors = ColorFeatures(face.model, face.inner, {}, {});
+    }
+    std::vector<ColorAgreement> agreements(const Points& places, const Points& normals) const {
+        return colors.agreements(scan, places, normals, {}, {});
     }
 };
 
-std::vector<ColorPull> pulls_of(const ColorFeatures& colors, const Points& places,
-                                const Points& normals, double blur_mm) {
+std::vector<ColorPull> pulls_of(const Sight& sight, const Points& places, const Points& normals,
+                                double blur_mm) {
     std::vector<Correspondences> matches;
-    return colors.pulls(places, normals, {}, blur_mm, matches, {});
+    return sight.colors.pulls(sight.scan, places, normals, {}, blur_mm, matches, {});
 }
 
 // The shift in the plate that the pulls ask for together.
@@ -118,7 +121,7 @@ TEST(ColorFeatures, PullTowardsWhereTheFeaturesAre) {
     for (const Vector3& shift : {Vector3(0, 3, 0), Vector3(0, -3, 0), Vector3(1.5, 1, 0)}) {
         const Sight sight(
             face, [&](double x, double y) { return face_paint(x - shift[0], y - shift[1]); });
-        const Eigen::Vector2d found = shift_of(pulls_of(sight.colors, rest, face.normals, 1.5));
+        const Eigen::Vector2d found = shift_of(pulls_of(sight, rest, face.normals, 1.5));
         EXPECT_LT((found - shift.head<2>()).norm(), 0.35 * shift.norm()) << found.transpose();
     }
 }
@@ -126,18 +129,16 @@ TEST(ColorFeatures, PullTowardsWhereTheFeaturesAre) {
 TEST(ColorFeatures, ABlurredLookFeelsFromAfar) {
     const PaintedFace face = painted_face();
     const Sight sight(face, [&](double x, double y) { return face_paint(x, y - 9); });
-    EXPECT_GT(
-        shift_of(pulls_of(sight.colors, face.model.template_mesh.vertices, face.normals, 8))[1], 2);
+    EXPECT_GT(shift_of(pulls_of(sight, face.model.template_mesh.vertices, face.normals, 8))[1], 2);
 }
 
 TEST(ColorFeatures, InPlaceDoNotPullAndAgree) {
     const PaintedFace face = painted_face();
     const Sight sight(face, face_paint);
     const Points& rest = face.model.template_mesh.vertices;
-    EXPECT_LT(shift_of(pulls_of(sight.colors, rest, face.normals, 1.5)).norm(),
+    EXPECT_LT(shift_of(pulls_of(sight, rest, face.normals, 1.5)).norm(),
               0.4);  // brows painted as boxes
-    const std::vector<ColorAgreement> agreements =
-        sight.colors.agreements(rest, face.normals, {}, {});
+    const std::vector<ColorAgreement> agreements = sight.agreements(rest, face.normals);
     ASSERT_EQ(agreements.size(), 3u);
     for (const ColorAgreement& feature : agreements)
         EXPECT_GT(feature.correlation, 0.8) << feature.name;
@@ -151,8 +152,7 @@ TEST(ColorFeatures, TurnWithTheScan) {
     const Points& rest = face.model.template_mesh.vertices;
     const Points moved = motion.apply(PointsRef(rest)),
                  turned = face.normals * motion.rotation.transpose();
-    const auto a = pulls_of(here.colors, rest, face.normals, 2),
-               b = pulls_of(there.colors, moved, turned, 2);
+    const auto a = pulls_of(here, rest, face.normals, 2), b = pulls_of(there, moved, turned, 2);
     ASSERT_EQ(a.size(), b.size());
     for (std::size_t k = 0; k < a.size(); ++k) {
         EXPECT_LT((motion.rotation * a[k].gradient - b[k].gradient).norm(), 1e-6);
@@ -165,27 +165,29 @@ TEST(ColorFeatures, SayNothingOfAPlainScanNorOfFeaturesElsewhere) {
     const PaintedFace face = painted_face();
     const Points& rest = face.model.template_mesh.vertices;
     const Sight plain(face, [](double, double) { return kSkin; });
-    EXPECT_TRUE(pulls_of(plain.colors, rest, face.normals, 2).empty());
-    for (const ColorAgreement& feature : plain.colors.agreements(rest, face.normals, {}, {}))
+    EXPECT_TRUE(pulls_of(plain, rest, face.normals, 2).empty());
+    for (const ColorAgreement& feature : plain.agreements(rest, face.normals))
         EXPECT_EQ(feature.correlation, 0);
     const Sight upside_down(face, [](double x, double y) {
         return std::abs(y - 40) > 6 && y > 20 ? kHair : is_lip(x, y + 18) ? kLip : kSkin;
     });
-    EXPECT_TRUE(pulls_of(upside_down.colors, rest, face.normals, 2).empty());
+    EXPECT_TRUE(pulls_of(upside_down, rest, face.normals, 2).empty());
 }
 
 TEST(ColorFeatures, NeedColorsAndNames) {
     PaintedFace face = painted_face();
-    const Sight sight(face, face_paint);
-    EXPECT_TRUE(
-        ColorFeatures(face.model, face.inner, sight.scan, sight.no_weights, Colors(), {}).empty());
-    const Colors colors = painted(face.model.template_mesh.vertices, face_paint);
+    const Points& rest = face.model.template_mesh.vertices;
+    Sight bare(face, face_paint);
+    bare.scan.colors.resize(0, 2);
+    EXPECT_TRUE(pulls_of(bare, rest, face.normals, 2).empty());
+    EXPECT_TRUE(bare.agreements(rest, face.normals).empty());
     face.model.landmarks.resize(9);  // one brow left
-    const ColorFeatures half(face.model, face.inner, sight.scan, sight.no_weights, colors, {});
-    EXPECT_LE(half.agreements(face.model.template_mesh.vertices, face.normals, {}, {}).size(), 1u);
+    EXPECT_LE(Sight(face, face_paint).agreements(rest, face.normals).size(), 1u);
     face.model.landmarks.clear();
-    EXPECT_TRUE(
-        ColorFeatures(face.model, face.inner, sight.scan, sight.no_weights, colors, {}).empty());
+    EXPECT_TRUE(ColorFeatures(face.model, face.inner, {}, {}).empty());
+    ColorFeatureSettings off;
+    off.enabled = false;
+    EXPECT_TRUE(ColorFeatures(painted_face().model, face.inner, off, {}).empty());
 }
 
 TEST(ColorFeatures, TheZoneOfTheLipsOutranksTheLandmarks) {
@@ -197,7 +199,7 @@ TEST(ColorFeatures, TheZoneOfTheLipsOutranksTheLandmarks) {
             lips.vertices.push_back(static_cast<std::uint32_t>(i));
     face.model.zones.push_back(lips);
     const Sight sight(face, [](double x, double y) { return is_lip(x, y - 4) ? kLip : kSkin; });
-    EXPECT_LT(shift_of(pulls_of(sight.colors, rest, face.normals, 1.5)).norm(), 0.1);
+    EXPECT_LT(shift_of(pulls_of(sight, rest, face.normals, 1.5)).norm(), 0.1);
 }
 
 TEST(ShutLids, AreSeenByTheirColor) {
@@ -206,15 +208,15 @@ TEST(ShutLids, AreSeenByTheirColor) {
     state.places = face.model.template_mesh.vertices;
     // The right eye is open: white, brown and black.
     static const int kWhite[3] = {232, 226, 220}, kBlack[3] = {15, 15, 15};
-    const Sight sight(face, [](double x, double y) -> const int* {
+    Sight sight(face, [](double x, double y) -> const int* {
         if (std::abs(x + 30) < 14 && std::abs(y - 15) < 5)
             return std::abs(x + 30) < 4 ? kBlack : kWhite;
         return face_paint(x, y);
     });
-    EXPECT_TRUE(shut_lids(face.model, sight.scan, state, 1.5, {}).empty())
+    const std::vector<Pin> pins = shut_lids(face.model, sight.scan, state, 1.5, {}, {});
+    sight.scan.colors.resize(0, 2);
+    EXPECT_TRUE(shut_lids(face.model, sight.scan, state, 1.5, {}, {}).empty())
         << "no colours, no opinion";
-    state.colors = &sight.colors;
-    const std::vector<Pin> pins = shut_lids(face.model, sight.scan, state, 1.5, {});
     ASSERT_EQ(pins.size(), 6u);
     for (const Pin& pin : pins) {
         const Vector3 place = state.places.row(pin.vertex).transpose();

@@ -43,7 +43,7 @@ Index middle(int plate) {
 }
 
 TEST(InnerVertices, WallsThatFaceEachOtherAreFoundAndSkinIsNot) {
-    const std::vector<std::uint8_t> inner = find_inner_vertices(pocket(), Context());
+    const std::vector<std::uint8_t> inner = find_inner_vertices(pocket(), {}, Context());
     EXPECT_TRUE(inner[static_cast<std::size_t>(middle(1))]);
     EXPECT_TRUE(inner[static_cast<std::size_t>(middle(2))]);
     for (int v = 0; v < kSide * kSide; ++v) EXPECT_FALSE(inner[static_cast<std::size_t>(v)]) << v;
@@ -54,18 +54,18 @@ TEST(InnerVertices, AnOpenPlateHasNone) {
     mesh.vertices.resize(0, 3);
     mesh.triangles.resize(0, 3);
     add_plate(mesh, 0, true);
-    for (const std::uint8_t inner : find_inner_vertices(mesh, Context())) EXPECT_FALSE(inner);
+    for (const std::uint8_t inner : find_inner_vertices(mesh, {}, Context())) EXPECT_FALSE(inner);
 }
 
 TEST(InnerVertices, AScansSlimNoseTakesTheNostrilsSacAlong) {
     const TriMesh mesh = pocket();
-    const std::vector<std::uint8_t> inner = find_inner_vertices(mesh, Context());
+    const std::vector<std::uint8_t> inner = find_inner_vertices(mesh, {}, Context());
     const Eigen::RowVector3d shift(-3, 1, 0.5);
     Points places = mesh.vertices;
     for (Index v = 0; v < places.rows(); ++v)
         if (!inner[static_cast<std::size_t>(v)]) places.row(v) += shift;
     const Points before = places;
-    carry_inner(mesh, build_rings(mesh.vertices.rows(), mesh.triangles), mesh.vertices, inner,
+    carry_inner(mesh, build_rings(mesh.vertices.rows(), mesh.triangles), mesh.vertices, inner, {},
                 places, Context());
     for (const int plate : {1, 2})
         EXPECT_LT((places.row(middle(plate)) - mesh.vertices.row(middle(plate)) - shift).norm(),
@@ -96,7 +96,7 @@ TEST(InnerVertices, TheInsideOfALipGoesWithItsOwnLip) {
     Points places = mesh.vertices;
     for (Index v = kSide * kSide; v < places.rows(); ++v)
         if (!inner[static_cast<std::size_t>(v)]) places(v, 1) += 10;
-    carry_inner(mesh, build_rings(places.rows(), mesh.triangles), mesh.vertices, inner, places,
+    carry_inner(mesh, build_rings(places.rows(), mesh.triangles), mesh.vertices, inner, {}, places,
                 Context());
     for (Index v = 0; v < places.rows(); ++v)
         if (mesh.vertices(v, 2) < -3) {
@@ -109,7 +109,7 @@ TEST(InnerVertices, WithoutOpenSkinNothingMoves) {
     Points places = mesh.vertices.array() + 1.0;
     const Points before = places;
     carry_inner(mesh, build_rings(places.rows(), mesh.triangles), mesh.vertices,
-                std::vector<std::uint8_t>(static_cast<std::size_t>(places.rows()), 1), places,
+                std::vector<std::uint8_t>(static_cast<std::size_t>(places.rows()), 1), {}, places,
                 Context());
     EXPECT_EQ(places, before);
 }

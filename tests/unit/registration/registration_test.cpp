@@ -20,10 +20,10 @@ double mean_error(const RegistrationResult& fit, const SmallFace& face, const Si
 TEST(Registration, RecoversAKnownDeformation) {
     const SmallFace face = small_face();
     const Similarity motion = motion_of(25, Vector3(1, 2, 0.5), Vector3(120, -60, 200));
-    RegistrationOptions options;
-    options.landmark_sigma_mm = 0.3;  // they are exact here
+    RegistrationSettings settings;
+    settings.start.landmark_sigma_mm = 0.3;  // they are exact here
     const RegistrationResult fit =
-        register_scan(face.model, scan_of(face, motion), landmarks_of(face, motion), options, {});
+        register_scan(face.model, scan_of(face, motion), landmarks_of(face, motion), settings, {});
     EXPECT_LT(mean_error(fit, face, motion), 1.0);
     EXPECT_LT(fit.residual_mm.cwiseAbs().mean(), 0.15);
     EXPECT_EQ(fit.verdict.quality, FitQuality::good) << registration_json(fit);
@@ -91,9 +91,9 @@ TEST(Registration, RecognisesMetresDecimetresAndCentimetres) {
         const RegistrationResult fit = register_scan(face.model, scan, scaled, {}, {});
         EXPECT_EQ(fit.verdict.unit_to_mm, unit);
         EXPECT_LT((fit.fitted.vertices - mm.fitted.vertices).rowwise().norm().maxCoeff(), 0.01);
-        RegistrationOptions options;
-        options.units = UnitRule::refuse;
-        EXPECT_THROW(register_scan(face.model, scan, scaled, options, {}), Error);
+        RegistrationSettings settings;
+        settings.intake.units = UnitRule::refuse;
+        EXPECT_THROW(register_scan(face.model, scan, scaled, settings, {}), Error);
     }
 }
 
@@ -115,10 +115,10 @@ TEST(Registration, UnknownNamesAreReportedAndTooFewRefused) {
     const TriMesh scan = scan_of(face, Similarity());
     EXPECT_EQ(register_scan(face.model, scan, landmarks, {}, {}).unknown_landmarks,
               std::vector<std::string>{"tail"});
-    RegistrationOptions options;
-    options.start = StartKind::landmarks;
+    RegistrationSettings settings;
+    settings.start.kind = StartKind::landmarks;
     try {
-        register_scan(face.model, scan, {landmarks[0], landmarks[1]}, options, {});
+        register_scan(face.model, scan, {landmarks[0], landmarks[1]}, settings, {});
         FAIL();
     } catch (const Error& error) {
         EXPECT_EQ(error.status(), Status::not_found);
@@ -169,11 +169,11 @@ TEST(Registration, StartsFromAGivenPose) {
     const SmallFace face = small_face();
     const Similarity motion =
         motion_of(100, Vector3(0, 1, 0), Vector3(80, 0, -15));  // beyond the search
-    RegistrationOptions options;
-    options.start = StartKind::pose;
-    options.pose = motion_of(95, Vector3(0, 1, 0), Vector3(84, 2, -12));
+    RegistrationSettings settings;
+    settings.start.kind = StartKind::pose;
+    settings.start.pose = motion_of(95, Vector3(0, 1, 0), Vector3(84, 2, -12));
     const RegistrationResult fit =
-        register_scan(face.model, scan_of(face, motion), {}, options, {});
+        register_scan(face.model, scan_of(face, motion), {}, settings, {});
     EXPECT_LT(fit.residual_mm.cwiseAbs().mean(), 0.3);
 }
 
@@ -223,12 +223,12 @@ TEST(Registration, ColorsHoldTheFitAlongTheSkin) {
         scan.colors.row(i) << 200, green, 130;
     }
     face.model.zones.push_back(lips);
-    RegistrationOptions options;
-    options.start = StartKind::pose;
-    options.estimate_motion = false;
+    RegistrationSettings settings;
+    settings.start.kind = StartKind::pose;
+    settings.prior.estimate_motion = false;
     const auto rise = [&](bool colors) {
-        options.color_features = colors;
-        const RegistrationResult fit = register_scan(face.model, scan, {}, options, {});
+        settings.colors.enabled = colors;
+        const RegistrationResult fit = register_scan(face.model, scan, {}, settings, {});
         EXPECT_EQ(fit.verdict.colors.size(), colors ? 1u : 0u);
         double sum = 0;
         for (const std::uint32_t i : lips.vertices) sum += fit.fitted.vertices(i, 1) - v(i, 1);
@@ -243,21 +243,21 @@ TEST(Registration, RefusesSettingsOutOfRange) {
     const TriMesh scan = scan_of(face, Similarity());
     const auto landmarks = landmarks_of(face, Similarity());
     const auto refused = [&](auto change) {
-        RegistrationOptions options;
-        change(options);
-        EXPECT_THROW(register_scan(face.model, scan, landmarks, options, {}), Error);
+        RegistrationSettings settings;
+        change(settings);
+        EXPECT_THROW(register_scan(face.model, scan, landmarks, settings, {}), Error);
     };
-    refused([](RegistrationOptions& o) { o.sigma_end_mm = 0; });
-    refused([](RegistrationOptions& o) { o.landmark_sigma_mm = -1; });
-    refused([](RegistrationOptions& o) { o.iterations = 0; });
-    refused([](RegistrationOptions& o) { o.tangential = 2; });
-    refused([](RegistrationOptions& o) { o.scan_weights = Vector::Ones(3); });
-    refused([&](RegistrationOptions& o) {
-        o.scan_weights = Vector::Constant(scan.vertices.rows(), -1.0);
+    refused([](RegistrationSettings& s) { s.fit.loop.sigma_end_mm = 0; });
+    refused([](RegistrationSettings& s) { s.start.landmark_sigma_mm = -1; });
+    refused([](RegistrationSettings& s) { s.fit.loop.rounds = 0; });
+    refused([](RegistrationSettings& s) { s.fit.loop.evidence.surface.tangential = 2; });
+    refused([](RegistrationSettings& s) { s.intake.weight_per_vertex = Vector::Ones(3); });
+    refused([&](RegistrationSettings& s) {
+        s.intake.weight_per_vertex = Vector::Constant(scan.vertices.rows(), -1.0);
     });
-    refused([](RegistrationOptions& o) {
-        o.start = StartKind::pose;
-        o.pose.rotation *= 2;
+    refused([](RegistrationSettings& s) {
+        s.start.kind = StartKind::pose;
+        s.start.pose.rotation *= 2;
     });
     auto bad = landmarks;
     bad[0].point[1] = std::numeric_limits<double>::quiet_NaN();
@@ -285,11 +285,11 @@ TEST(Registration, EveryGrowthOfModesEndsWithAll) {
     const auto landmarks = landmarks_of(face, Similarity());
     for (const ModeGrowth growth :
          {ModeGrowth::constant, ModeGrowth::linear, ModeGrowth::exponential, ModeGrowth::cubic}) {
-        RegistrationOptions options;
-        options.growth = growth;
-        EXPECT_LT(
-            mean_error(register_scan(face.model, scan, landmarks, options, {}), face, Similarity()),
-            1.5);
+        RegistrationSettings settings;
+        settings.fit.loop.growth = growth;
+        EXPECT_LT(mean_error(register_scan(face.model, scan, landmarks, settings, {}), face,
+                             Similarity()),
+                  1.5);
     }
 }
 

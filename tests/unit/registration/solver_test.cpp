@@ -5,8 +5,8 @@
 #include <Eigen/Cholesky>
 
 #include "geometry/normals.hpp"
-#include "registration/nicp.hpp"
-#include "registration/refine.hpp"
+#include "registration/folds.hpp"
+#include "registration/gap.hpp"
 #include "registration/skin.hpp"
 #include "small_face.hpp"
 
@@ -14,6 +14,25 @@ namespace mien {
 namespace {
 
 using namespace test;
+
+ScanSurfaceSettings smoothing(double mm) {
+    ScanSurfaceSettings settings;
+    settings.smoothing_mm = mm;
+    return settings;
+}
+
+FoldSettings turn_limit(double rad) {
+    FoldSettings settings;
+    settings.max_turn_rad = rad;
+    return settings;
+}
+
+// For sheets without noise.
+GapSettings soft_gap() {
+    GapSettings settings;
+    settings.smoothness = 2;
+    return settings;
+}
 
 // The stacked 3V x 3r system, formed plainly, as the judge.
 TEST(FitSolver, AgreesWithTheStackedSystem) {
@@ -42,7 +61,7 @@ TEST(FitSolver, AgreesWithTheStackedSystem) {
     options.kernel_ridge = 0.7;
     options.move = false;
     options.tolerance = 1e-6;
-    options.max_iterations = 500;
+    options.solver.most_iterations = 500;
     FitCoefficients found;
     found.kernel.setZero(r, 3);
     FitSolver solver(face.model);
@@ -143,20 +162,20 @@ TEST(Growth, RunsFromFewToAll) {
 
 TEST(Correspondence, FiltersSayNoAtBordersAndAgainstNormals) {
     const SmallFace face = small_face(20);
-    const ScanSurface scan = prepare_scan(face.model.template_mesh, 2, {});
+    const ScanSurface scan = build_scan_surface(face.model.template_mesh, {}, {});
     Points places(3, 3), normals(3, 3);
     places << 0, 0, 90, 100, 0, 40, 0, 30, 70;
     normals << 0, 0, 1, 0, 0, 1, 0, 0, -1;
     Correspondences found;
-    CorrespondenceOptions options;
+    CorrespondenceSettings options;
     options.robust = RobustWeight::none;
-    find_correspondences(scan, places, normals, Vector(), options, found, {});
+    find_correspondences(scan, places, normals, options, found, {});
     EXPECT_GT(found.weight[0], 0);
     EXPECT_EQ(found.weight[1], 0);  // beyond the rim
     EXPECT_EQ(found.weight[2], 0);  // seen from behind
     options.reject_border = false;
     options.max_angle_deg = 180;
-    find_correspondences(scan, places, normals, Vector(), options, found, {});
+    find_correspondences(scan, places, normals, options, found, {});
     EXPECT_GT(found.weight[1], 0);
     EXPECT_GT(found.weight[2], 0);
 }
@@ -164,8 +183,8 @@ TEST(Correspondence, FiltersSayNoAtBordersAndAgainstNormals) {
 // A filter that cuts takes a vertex on its verge in one frame and refuses it in another.
 TEST(Correspondence, FiltersFadeInsteadOfCutting) {
     const TriMesh sheet = face_sheet(20);
-    const ScanSurface scan = prepare_scan(sheet, 2, {});
-    CorrespondenceOptions options;
+    const ScanSurface scan = build_scan_surface(sheet, {}, {});
+    CorrespondenceSettings options;
     options.robust = RobustWeight::none;
     // The weight beside the sheet's vertex `of` when one walks along `step`, or turns the normal by
     // an angle.
@@ -179,7 +198,7 @@ TEST(Correspondence, FiltersFadeInsteadOfCutting) {
             normals.row(k) = (Eigen::AngleAxisd(f * turn_rad, axis) * normal).transpose();
         }
         Correspondences found;
-        find_correspondences(scan, places, normals, Vector(), options, found, {});
+        find_correspondences(scan, places, normals, options, found, {});
         EXPECT_GT(found.weight.maxCoeff(), 0.9);
         EXPECT_EQ(found.weight.minCoeff(), 0);
         return (found.weight.tail(kSteps - 1) - found.weight.head(kSteps - 1))
@@ -194,14 +213,16 @@ TEST(Folds, AreFoundAndStraightened) {
     const TriMesh sheet = face_sheet(30);
     const VertexRings rings = build_rings(sheet.vertices.rows(), sheet.triangles);
     Points folded = sheet.vertices;
-    EXPECT_TRUE(find_turned(sheet.vertices, sheet.triangles, rings, folded, 1.0).empty());
+    EXPECT_TRUE(
+        find_turned(sheet.vertices, sheet.triangles, rings, folded, turn_limit(1.0)).empty());
     folded.row(15 * 31 + 15) += Eigen::RowVector3d(9, 0, 0);  // over its neighbours
-    EXPECT_FALSE(find_turned(sheet.vertices, sheet.triangles, rings, folded, 1.0).empty());
-    Index turned = 0;
+    EXPECT_FALSE(
+        find_turned(sheet.vertices, sheet.triangles, rings, folded, turn_limit(1.0)).empty());
     const Points before = folded;
-    EXPECT_EQ(straighten_turned(sheet.vertices, sheet.triangles, rings, 1.0, 12, folded, turned),
-              0);
-    EXPECT_GT(turned, 0);
+    const FoldCounts counts =
+        straighten_turned(sheet.vertices, sheet.triangles, rings, turn_limit(1.0), folded);
+    EXPECT_EQ(counts.after, 0);
+    EXPECT_GT(counts.before, 0);
     EXPECT_LT((folded - sheet.vertices).rowwise().norm().maxCoeff(), 1);
     EXPECT_LT(((folded - before).rowwise().norm().array() > 0).count(), 60)
         << "only the fold's surroundings move";
@@ -211,7 +232,8 @@ TEST(Folds, NeedlesOfTheTemplateAreNone) {
     TriMesh sheet = face_sheet(10);
     sheet.vertices.row(30) = sheet.vertices.row(31);
     const VertexRings rings = build_rings(sheet.vertices.rows(), sheet.triangles);
-    EXPECT_TRUE(find_turned(sheet.vertices, sheet.triangles, rings, sheet.vertices, 1.0).empty());
+    EXPECT_TRUE(find_turned(sheet.vertices, sheet.triangles, rings, sheet.vertices, turn_limit(1.0))
+                    .empty());
 }
 
 // A part that turns as a whole, as a lid does that closes, is no fold.
@@ -220,7 +242,8 @@ TEST(Folds, TurnWithTheirNeighbourhoodAreNone) {
     const VertexRings rings = build_rings(sheet.vertices.rows(), sheet.triangles);
     const Matrix3 turn = Eigen::AngleAxisd(2.2, Vector3(1, 0.3, 0).normalized()).toRotationMatrix();
     const Points turned = sheet.vertices * turn.transpose();
-    EXPECT_TRUE(find_turned(sheet.vertices, sheet.triangles, rings, turned, 0.5).empty());
+    EXPECT_TRUE(
+        find_turned(sheet.vertices, sheet.triangles, rings, turned, turn_limit(0.5)).empty());
 }
 
 // A vertex is pushed up until its triangles turn by more than 60 degrees. Cut at the limit, it fell
@@ -233,7 +256,7 @@ TEST(Folds, TurnsAreUndoneByShares) {
     const auto left = [&](double height) {
         Points places = sheet.vertices;
         places(middle, 2) = height;
-        undo_turns(sheet.vertices, sheet.triangles, rings, places);
+        undo_turns(sheet.vertices, sheet.triangles, rings, {}, places);
         return places(middle, 2);
     };
     EXPECT_EQ(left(5), 5);
@@ -253,10 +276,10 @@ TEST(Gap, IsClosedSmoothly) {
     for (Index i = 0; i < target.vertices.rows(); ++i)
         target.vertices(i, 2) +=
             0.8 * gauss(target.vertices(i, 0), 25) * gauss(target.vertices(i, 1), 25);
-    const ScanSurface scan = prepare_scan(target, 0, {});
+    const ScanSurface scan = build_scan_surface(target, smoothing(0), {});
     Points places = sheet.vertices;
-    close_gap(scan, Vector(), sheet.triangles, build_rings(places.rows(), sheet.triangles),
-              Vector::Ones(places.rows()), {}, {}, places, {});
+    raise_field(scan, sheet.triangles, build_rings(places.rows(), sheet.triangles),
+                Vector::Ones(places.rows()), {}, 1, soft_gap(), places, {});
     std::vector<SurfaceHit> before, after;
     scan.tree.closest(sheet.vertices, 10, before, {});
     scan.tree.closest(places, 10, after, {});
@@ -275,12 +298,12 @@ TEST(Gap, OfAHillBeyondTheRobustScaleIsClosedFromItsFoot) {
         return 3 * gauss(sheet.vertices(i, 0), 25) * gauss(sheet.vertices(i, 1), 25);
     };
     for (Index i = 0; i < target.vertices.rows(); ++i) target.vertices(i, 2) += height(i);
-    const ScanSurface scan = prepare_scan(target, 0, {});
+    ScanSurface scan = build_scan_surface(target, smoothing(0), {});
     const auto fitted = [&](const Vector& scan_weight, Points& places) {
+        scan.weight = scan_weight;
         places = sheet.vertices;
-        return close_gap(scan, scan_weight, sheet.triangles,
-                         build_rings(places.rows(), sheet.triangles), Vector::Ones(places.rows()),
-                         {}, {}, places, {});
+        return raise_field(scan, sheet.triangles, build_rings(places.rows(), sheet.triangles),
+                           Vector::Ones(places.rows()), {}, 1, soft_gap(), places, {});
     };
     Points places;
     const Vector weight = fitted(Vector(), places);
@@ -307,14 +330,14 @@ TEST(Gap, OfAHillBeyondTheRobustScaleIsClosedFromItsFoot) {
 // smoothing.
 TEST(ScanSurface, ItsResolutionDoesNotDependOnATrianglesFirstCorner) {
     TriMesh mesh = face_sheet(80);
-    const ScanSurface scan = prepare_scan(mesh, 4, {});
+    const ScanSurface scan = build_scan_surface(mesh, smoothing(4), {});
     for (Index t = 0; t < mesh.triangles.rows(); ++t) {
         const std::uint32_t first = mesh.triangles(t, 0);
         mesh.triangles(t, 0) = mesh.triangles(t, 1);
         mesh.triangles(t, 1) = mesh.triangles(t, 2);
         mesh.triangles(t, 2) = first;
     }
-    const ScanSurface turned = prepare_scan(mesh, 4, {});
+    const ScanSurface turned = build_scan_surface(mesh, smoothing(4), {});
     EXPECT_NEAR(turned.spacing_mm, scan.spacing_mm, 1e-9);
     EXPECT_LT((turned.normals - scan.normals).cwiseAbs().maxCoeff(), 1e-9);
 }
@@ -323,7 +346,7 @@ TEST(Skin, TonesOfSkinOutweighHairAndCloth) {
     Colors colors(7, 3);
     colors << 226, 184, 160, 205, 158, 130, 168, 118, 90, 120, 80, 60, 52, 36, 26, 58, 84, 150, 60,
         160, 60;
-    const Vector weights = skin_weights(colors, 0.05);
+    const Vector weights = skin_weights(colors, {});
     for (int skin = 0; skin < 4; ++skin)
         for (int other = 4; other < 7; ++other)
             EXPECT_GT(weights[skin], 2 * weights[other]) << skin << " " << other;

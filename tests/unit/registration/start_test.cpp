@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "registration/free_start.hpp"
 #include "small_face.hpp"
 
 namespace mien {
@@ -25,16 +24,19 @@ std::vector<Pin> noisy_pins(const SmallFace& face, double noise_mm, double state
 
 TEST(Pins, ExactPicksAreFoundExact) {
     const SmallFace face = small_face();
-    EXPECT_LT(weigh_pins(face.model, noisy_pins(face, 0.05, 1.5), Similarity(), 1, 1).noise, 0.7);
-    EXPECT_GT(weigh_pins(face.model, noisy_pins(face, 1.5, 1.5), Similarity(), 1, 1).noise, 0.8);
+    EXPECT_LT(weigh_pins(face.model, noisy_pins(face, 0.05, 1.5), Similarity(), 1, 1, {}).noise,
+              0.7);
+    EXPECT_GT(weigh_pins(face.model, noisy_pins(face, 1.5, 1.5), Similarity(), 1, 1, {}).noise,
+              0.8);
 }
 
 // The face lies half a deviation off along each mode.
 TEST(Pins, TheKernelsAmplitudeFollowsTheFace) {
     const SmallFace face = small_face();
-    EXPECT_GT(weigh_pins(face.model, noisy_pins(face, 0.05, 1.5), Similarity(), 0.25, 1).amplitude,
-              1.4);
-    EXPECT_LT(weigh_pins(face.model, noisy_pins(face, 0.05, 1.5), Similarity(), 4, 1).amplitude,
+    EXPECT_GT(
+        weigh_pins(face.model, noisy_pins(face, 0.05, 1.5), Similarity(), 0.25, 1, {}).amplitude,
+        1.4);
+    EXPECT_LT(weigh_pins(face.model, noisy_pins(face, 0.05, 1.5), Similarity(), 4, 1, {}).amplitude,
               0.5);
 }
 
@@ -47,13 +49,14 @@ TEST(Pins, TrainedModesKeepTheirAmplitude) {
         for (Index axis = 0; axis < 3; ++axis)
             trained->row(3 * i + axis).segment(axis * r, r) = 0.5f * face.model.basis.map().row(i);
     face.model.pca_modes = {trained->data(), 3 * n, 3 * r};
-    const PinEvidence evidence =
-        weigh_pins(face.model, noisy_pins(face, 0.05, 1.5), Similarity(), 1e-3, 1);
+    const PinFactors evidence =
+        weigh_pins(face.model, noisy_pins(face, 0.05, 1.5), Similarity(), 1e-3, 1, {});
     EXPECT_EQ(evidence.amplitude, 1);
     EXPECT_LT(evidence.noise, 0.7);
     // Left out of the fit they leave the amplitude to the landmarks.
-    EXPECT_GT(weigh_pins(face.model, noisy_pins(face, 0.05, 1.5), Similarity(), 0.25, 0).amplitude,
-              1.4);
+    EXPECT_GT(
+        weigh_pins(face.model, noisy_pins(face, 0.05, 1.5), Similarity(), 0.25, 0, {}).amplitude,
+        1.4);
 }
 
 // Ears and jaw of a face 140 mm wide, chin forward and below, lips at the middle.
@@ -75,7 +78,7 @@ TEST(Jaw, OpensDownwardsAndLeavesTheUpperFace) {
     const SmallFace face = jawed_face();
     FitState state;
     state.motion = motion_of(30, Vector3(1, 1, 0), Vector3(10, 20, 30));
-    for (const Pin& pin : open_jaw(face.model, state, 0.4)) {
+    for (const Pin& pin : open_jaw(face.model, state, 0.4, {})) {
         const Vector3 place = face.model.template_mesh.vertices.row(pin.vertex).transpose();
         const Vector3 moved = state.motion.inverse().apply(pin.place) - place;
         std::string name;
@@ -86,7 +89,7 @@ TEST(Jaw, OpensDownwardsAndLeavesTheUpperFace) {
         else
             EXPECT_LT(moved.norm(), 1e-9) << name;
     }
-    for (const Pin& pin : open_jaw(face.model, state, 0))
+    for (const Pin& pin : open_jaw(face.model, state, 0, {}))
         EXPECT_LT((state.motion.inverse().apply(pin.place) -
                    Vector3(face.model.template_mesh.vertices.row(pin.vertex).transpose()))
                       .norm(),
@@ -94,8 +97,8 @@ TEST(Jaw, OpensDownwardsAndLeavesTheUpperFace) {
 }
 
 TEST(Jaw, WithoutItsLandmarksThereIsNone) {
-    EXPECT_TRUE(open_jaw(small_face().model, FitState(), 0.4).empty());
-    EXPECT_FALSE(open_jaw(jawed_face().model, FitState(), 0.4).empty());
+    EXPECT_TRUE(open_jaw(small_face().model, FitState(), 0.4, {}).empty());
+    EXPECT_FALSE(open_jaw(jawed_face().model, FitState(), 0.4, {}).empty());
 }
 
 }  // namespace

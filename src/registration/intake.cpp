@@ -1,0 +1,52 @@
+#include "registration/intake.hpp"
+
+#include "base/error.hpp"
+#include "mesh/cleaning.hpp"
+
+namespace mien {
+namespace {
+
+void check_weights(const Vector& weights, Index num_vertices) {
+    if (weights.size() == 0) return;
+    if (weights.size() != num_vertices)
+        fail(Status::mismatch, "registration: %lld scan weights for %lld scan vertices",
+             static_cast<long long>(weights.size()), static_cast<long long>(num_vertices));
+    for (Index i = 0; i < weights.size(); ++i)
+        if (!(weights[i] >= 0 && weights[i] <= 1))
+            fail_at(Status::invalid_argument, i,
+                    "registration: scan weight %lld is %g, outside 0 and 1",
+                    static_cast<long long>(i), weights[i]);
+}
+
+// Skin colour times the host's weights; empty when there are neither.
+Vector weigh_vertices(const CleanedMesh& cleaned, const IntakeSettings& settings) {
+    const Vector& given = settings.weight_per_vertex;
+    if (given.size() == 0 && !settings.skin_weights) return Vector();
+    Vector weight = Vector::Ones(cleaned.mesh.vertices.rows());
+    if (settings.skin_weights && cleaned.mesh.colors.rows() == weight.size())
+        weight = skin_weights(cleaned.mesh.colors, settings.skin);
+    if (given.size() > 0)
+        for (Index i = 0; i < weight.size(); ++i)
+            weight[i] *= given[cleaned.vertex_to_old[static_cast<std::size_t>(i)]];
+    return weight;
+}
+
+}  // namespace
+
+PreparedScan prepare_scan(const TriMesh& raw, const IntakeSettings& settings,
+                          const Context& context) {
+    check_weights(settings.weight_per_vertex, raw.vertices.rows());
+    CleanedMesh cleaned = clean_mesh(raw, CleaningOptions(), context);
+    PreparedScan scan;
+    scan.unit_to_mm = choose_unit_mm(cleaned.mesh.vertices, settings.units, settings.unit);
+    cleaned.mesh.vertices *= scan.unit_to_mm;
+    scan.surface = build_scan_surface(cleaned.mesh, settings.surface, context);
+    scan.surface.weight = weigh_vertices(cleaned, settings);
+    if (cleaned.mesh.colors.rows() == scan.surface.vertices.rows())
+        scan.surface.colors = color_signals(cleaned.mesh.colors, settings.signals);
+    scan.vertex_to_raw = std::move(cleaned.vertex_to_old);
+    scan.triangle_to_raw = std::move(cleaned.triangle_to_old);
+    return scan;
+}
+
+}  // namespace mien

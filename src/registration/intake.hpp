@@ -1,0 +1,40 @@
+// Stage 1, intake: a raw scan becomes one that fits can use: cleaned, in millimetres, weighted, in
+// a search tree. Nothing here knows a model, so one prepared scan serves any number of fits.
+#pragma once
+
+#include "registration/scan_surface.hpp"
+#include "registration/skin.hpp"
+#include "registration/units.hpp"
+
+namespace mien {
+
+struct IntakeSettings {
+    UnitRule units = UnitRule::detect;
+    bool skin_weights = false;  ///< weigh scan vertices by the probability of skin colour
+    Vector weight_per_vertex;   ///< the host's, per vertex of the raw scan in [0, 1], or empty
+    UnitSettings unit;
+    SkinSettings skin;
+    ColorSignalSettings signals;
+    ScanSurfaceSettings surface;
+};
+
+/// Immutable; safe to share between threads and fits.
+struct PreparedScan {
+    ScanSurface surface;    ///< mm
+    double unit_to_mm = 1;  ///< what one unit of the raw scan was taken for
+    std::vector<std::uint32_t> vertex_to_raw, triangle_to_raw;  ///< numbers as the scan was given
+
+    /// The raw scan's number of the primitive (triangle, or point of a cloud) that was hit.
+    std::uint32_t raw_primitive(const SurfaceHit& hit) const {
+        return surface.tree.is_point_cloud() ? vertex_to_raw[hit.triangle]
+                                             : triangle_to_raw[hit.triangle];
+    }
+};
+
+/// Throws Status::invalid_mesh when nothing usable is left, mismatch for weights of another number
+/// than vertices, invalid_argument for weights outside of [0, 1] and for a unit that the rule
+/// refuses. O(V + F log F).
+PreparedScan prepare_scan(const TriMesh& raw, const IntakeSettings& settings,
+                          const Context& context);
+
+}  // namespace mien

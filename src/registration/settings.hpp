@@ -1,0 +1,34 @@
+// Every number that a registration goes by, stage by stage. A stage reads its own part and derives
+// what it needs; nothing overwrites what the host gave.
+//
+// Each member says its meaning, unit and range. A tag in brackets says what chose its default:
+//   [T]  a table of tests/bench/README.md, which is named
+//   [A]  the ablation table there: switching it off, or to the plain choice, costs what it prints
+//   [J]  judgement while the stage was written, and not measured by itself
+// Numbers without a tag are published, exact, or bounds that a sensible fit never meets.
+#pragma once
+
+#include "registration/confidence.hpp"
+#include "registration/gap.hpp"
+#include "registration/inner_parts.hpp"
+#include "registration/verdict.hpp"
+
+namespace mien {
+
+struct RegistrationSettings {
+    IntakeSettings intake;
+    PriorSettings prior;
+    ColorFeatureSettings colors;
+    InnerSettings inner;
+    StartSettings start;
+    FitSettings fit;
+    GapSettings gap;
+    FoldSettings folds;
+    ConfidenceSettings confidence;
+    VerdictSettings verdict;
+};
+
+/// Throws Status::invalid_argument, naming the member and its range.
+void check_settings(const RegistrationSettings& settings);
+
+}  // namespace mien
