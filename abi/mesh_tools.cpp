@@ -16,7 +16,7 @@ using namespace mien::abi;
 
 namespace {
 
-mien_mesh* make_mesh(TriMesh&& mesh) {
+mien_mesh* make_checked_mesh(TriMesh&& mesh) {
     check_mesh(mesh, "the result");
     return new mien_mesh(std::make_shared<const TriMesh>(std::move(mesh)));
 }
@@ -71,7 +71,7 @@ mien_status MIEN_CALL mien_mesh_clean(mien_session* session, const mien_mesh* me
         options.min_component_triangles = static_cast<Index>(min_triangles);
         TriMesh cleaned = clean_mesh(data, options, call.context()).mesh;
         make_windings_consistent(cleaned, WindingSettings(), call.context());
-        return make_mesh(std::move(cleaned));
+        return make_checked_mesh(std::move(cleaned));
     });
 }
 
@@ -81,7 +81,7 @@ mien_status MIEN_CALL mien_mesh_transform(mien_session* session, const mien_mesh
     return guarded_create(out, error, [&] {
         const TriMesh& data = *checked(mesh, "mesh").mesh;
         const Call call(session);
-        return make_mesh(transformed(data, matrix));
+        return make_checked_mesh(transformed(data, matrix));
     });
 }
 
@@ -91,7 +91,7 @@ mien_status MIEN_CALL mien_mesh_turn_over(mien_session* session, const mien_mesh
         TriMesh turned = *checked(mesh, "mesh").mesh;
         const Call call(session);
         turn_over(turned);
-        return make_mesh(std::move(turned));
+        return make_checked_mesh(std::move(turned));
     });
 }
 
@@ -111,7 +111,7 @@ mien_status MIEN_CALL mien_mesh_decimate(mien_session* session, const mien_mesh*
             for (std::size_t v = 0; v < coarse.kept.size(); ++v)
                 coarse.mesh.colors.row(static_cast<Index>(v)) = data.colors.row(coarse.kept[v]);
         }
-        return make_mesh(std::move(coarse.mesh));
+        return make_checked_mesh(std::move(coarse.mesh));
     });
 }
 

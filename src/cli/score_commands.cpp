@@ -283,7 +283,7 @@ void run_bland_altman(const ScoreCommand& settings) {
 
 using Settings = std::shared_ptr<ScoreCommand>;
 
-void add_train(CLI::App* score, const Settings& settings) {
+void add_score_training(CLI::App* score, const Settings& settings) {
     CLI::App* train = score->add_subcommand("train", "learn a score from graded faces");
     train->add_option("--data", settings->data, "dataset of faces in correspondence")->required();
     train
@@ -382,7 +382,7 @@ void add_score_commands(CLI::App& app) {
         app.add_subcommand("score", "biomarker scores, rater agreement, repeatability");
     score->require_subcommand(1);
     const auto settings = std::make_shared<ScoreCommand>();
-    add_train(score, settings);
+    add_score_training(score, settings);
     add_use_of_scores(score, settings);
     add_statistics(score, settings);
 }

@@ -70,7 +70,7 @@ Colors colors_from_numbers(const std::vector<float>& rgb) {
     for (std::size_t i = 0; i < rgb.size(); ++i) {
         // Written so that a value that is not a number becomes black.
         const float value = rgb[i] > 0.0f ? std::min(rgb[i] * scale, 255.0f) : 0.0f;
-        colors.data()[i] = static_cast<std::uint8_t>(value + 0.5f);
+        colors.data()[i] = static_cast<std::uint8_t>(std::lround(value));
     }
     return colors;
 }

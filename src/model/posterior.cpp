@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kLeastNoise = 1e-6;
 
-struct Storage {
+struct PosteriorStorage {
     Eigen::MatrixXf basis, pca_modes;
 };
 
@@ -152,7 +152,7 @@ std::shared_ptr<const DeformationModel> condition_model(
         for (int c = 0; c < 3; ++c) rest.col(c) -= seen.modes[c] * c_posterior.mean;
     const Matrix a_mean = seen.basis.transpose() * seen.factor.solve(rest);
 
-    auto storage = std::make_shared<Storage>();
+    auto storage = std::make_shared<PosteriorStorage>();
     auto result = std::make_shared<DeformationModel>();
     result->template_mesh = model.template_mesh;
     result->landmarks = model.landmarks;
