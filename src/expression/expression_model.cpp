@@ -1,8 +1,8 @@
 #include "expression/expression_model.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <Eigen/Cholesky>
 
 #include "base/error.hpp"
 #include "base/json.hpp"
@@ -13,6 +13,7 @@ namespace mien {
 namespace {
 
 constexpr const char* kKind = "mien-expression-model";
+constexpr std::size_t kMostIntensities = 16;
 /// Metadata that the file format itself owns; the rest is the model's `info`.
 const char* const kOwnKeys[] = {
     "kind",    "format", "units", "sha256", "creator", "component_names", "expression_names",
@@ -23,20 +24,66 @@ const TensorView& read_tensor(const SafetensorsFile& file, const char* name, DTy
     return file.tensor(name, dtype, shape);
 }
 
-Matrix inverse_spd(const Matrix& matrix, const std::string& what) {
-    const Eigen::LLT<Matrix> factor(matrix);
-    if (factor.info() != Eigen::Success)
-        fail(Status::corrupt, "the covariance of the component '%s' is not positive definite",
-             shown_name(what).c_str());
-    Matrix inverse = factor.solve(Matrix::Identity(matrix.rows(), matrix.cols()));
-    return 0.5 * (inverse + inverse.transpose());
-}
-
 void check_positive(const Vector& values, const char* what) {
     for (Index k = 0; k < values.size(); ++k)
         if (!(values[k] > 0.0) || !std::isfinite(values[k]))
             fail_at(Status::corrupt, k, "%s %lld of the expression model is not positive", what,
                     static_cast<long long>(k));
+}
+
+void read_components(const SafetensorsFile& file, ExpressionModel& model) {
+    const Index q = model.num_expression_modes();
+    const std::vector<std::string> names =
+        parse_json_string_list(file.metadata("component_names"), "component_names");
+    const Index count = static_cast<Index>(names.size());
+    const auto doubles = [&](const char* name, const std::vector<std::int64_t>& shape) {
+        return static_cast<const double*>(read_tensor(file, name, DType::f64, shape).data);
+    };
+    const double* weights = doubles("component_weights", {count});
+    const double* means = doubles("component_means", {count, q});
+    const double* covariances = doubles("component_covariances", {count, q, q});
+    const double* follows = nullptr;  // files of before 0.2 have none
+    Index directions = 0;
+    if (file.has("component_follows")) {
+        const TensorView& view = read_tensor(file, "component_follows", DType::f64, {count, -1, q});
+        follows = static_cast<const double*>(view.data);
+        directions = static_cast<Index>(view.shape[1]);
+    }
+    for (Index k = 0; k < count; ++k) {
+        ExpressionComponent component;
+        component.name = names[static_cast<std::size_t>(k)];
+        component.weight = weights[k];
+        component.mean = Eigen::Map<const Vector>(means + k * q, q);
+        component.covariance = Eigen::Map<const Matrix>(covariances + k * q * q, q, q);
+        if (follows != nullptr)
+            component.follows =
+                Eigen::Map<const Matrix>(follows + k * directions * q, q, directions);
+        model.components.push_back(std::move(component));
+    }
+}
+
+std::shared_ptr<const FitPlan> make_plan(const ExpressionModel& model) {
+    const Index p = model.num_identity_modes(), q = model.num_expression_modes();
+    auto plan = std::make_shared<FitPlan>();
+    const Matrix gram = model.spill.pull_gram(model.gram);
+    plan->expression_gram = gram.bottomRightCorner(q, q);
+    const Vector variances = model.expression_deviations.array().square();
+    plan->map = plan_part(model, gram, model.map_noise_mm2,
+                          precision_given_person(p, variances.cwiseInverse().asDiagonal(), {}),
+                          Vector::Zero(q), 0.0);
+    for (const ExpressionComponent& component : model.components) {
+        if (component.mean.size() != q || component.covariance.rows() != q ||
+            component.covariance.cols() != q || !component.mean.allFinite() ||
+            !component.covariance.allFinite() || !(component.weight > 0.0) ||
+            !std::isfinite(component.weight) ||
+            (component.follows.size() != 0 &&
+             (component.follows.rows() != q || component.follows.cols() > p ||
+              !component.follows.allFinite())))
+            fail(Status::corrupt, "the component '%s' of the expression model is damaged",
+                 shown_name(component.name).c_str());
+    }
+    plan->components = component_parts(model, gram, model.mixture_noise_mm2);
+    return plan;
 }
 
 }  // namespace
@@ -74,6 +121,12 @@ void finish_expression_model(ExpressionModel& model) {
         if (vertex >= static_cast<std::uint64_t>(n))
             fail(Status::corrupt, "the expression model's stable zone names vertex %u of %lld",
                  vertex, static_cast<long long>(n));
+    check_positive(Eigen::Map<const Vector>(model.intensities.data(),
+                                            static_cast<Index>(model.intensities.size())),
+                   "intensity");
+    if (model.intensities.empty() || model.intensities.size() > kMostIntensities)
+        fail(Status::corrupt, "the expression model has %zu intensities; 1 to %zu are allowed",
+             model.intensities.size(), kMostIntensities);
     check_positive(model.identity_deviations, "identity deviation");
     check_positive(model.expression_deviations, "expression deviation");
     if (!(model.expected_residual_mm >= 0.0) || !std::isfinite(model.expected_residual_mm))
@@ -83,24 +136,7 @@ void finish_expression_model(ExpressionModel& model) {
     if (!model.gram.allFinite() || !model.mean.allFinite())
         fail(Status::corrupt, "the expression model holds a value that is not finite");
 
-    auto plan = std::make_shared<FitPlan>();
-    const Matrix gram = model.spill.pull_gram(model.gram);
-    plan->expression_gram = gram.bottomRightCorner(q, q);
-    const Vector variances = model.expression_deviations.array().square();
-    plan->map = plan_part(model, gram, model.map_noise_mm2, variances.cwiseInverse().asDiagonal(),
-                          Vector::Zero(q), 0.0);
-    for (const ExpressionComponent& component : model.components) {
-        if (component.mean.size() != q || component.covariance.rows() != q ||
-            component.covariance.cols() != q || !component.mean.allFinite() ||
-            !component.covariance.allFinite() || !(component.weight > 0.0) ||
-            !std::isfinite(component.weight))
-            fail(Status::corrupt, "the component '%s' of the expression model is damaged",
-                 shown_name(component.name).c_str());
-        plan->components.push_back(plan_part(model, gram, model.mixture_noise_mm2,
-                                             inverse_spd(component.covariance, component.name),
-                                             component.mean, std::log(component.weight)));
-    }
-    model.plan = std::move(plan);
+    model.plan = make_plan(model);
 }
 
 std::shared_ptr<const ExpressionModel> load_expression_model(const std::string& path,
@@ -155,22 +191,11 @@ std::shared_ptr<const ExpressionModel> read_expression_model(const SafetensorsFi
         const auto* first = static_cast<const std::uint32_t*>(view.data);
         model->stable_vertices.assign(first, first + view.count);
     }
-    const std::vector<std::string> names =
-        parse_json_string_list(file.metadata("component_names"), "component_names");
-    const Index count = static_cast<Index>(names.size());
-    const Vector weights = vector("component_weights", count);
-    const TensorView& means = read_tensor(file, "component_means", DType::f64, {count, q});
-    const TensorView& covariances =
-        read_tensor(file, "component_covariances", DType::f64, {count, q, q});
-    for (Index k = 0; k < count; ++k) {
-        ExpressionComponent component;
-        component.name = names[static_cast<std::size_t>(k)];
-        component.weight = weights[k];
-        component.mean =
-            Eigen::Map<const Vector>(static_cast<const double*>(means.data) + k * q, q);
-        component.covariance = Eigen::Map<const Matrix>(
-            static_cast<const double*>(covariances.data) + k * q * q, q, q);
-        model->components.push_back(std::move(component));
+    read_components(file, *model);
+    if (file.has("expression_intensities")) {
+        const TensorView& view = read_tensor(file, "expression_intensities", DType::f64, {-1});
+        const auto* first = static_cast<const double*>(view.data);
+        model->intensities.assign(first, first + view.count);
     }
     model->expression_names =
         parse_json_string_list(file.metadata("expression_names"), "expression_names");
@@ -189,8 +214,11 @@ void save_expression_model(const std::string& path, const ExpressionModel& model
     const std::uint64_t count = model.components.size();
     const Vector noise = (Vector(2) << model.map_noise_mm2, model.mixture_noise_mm2).finished();
     Vector weights(static_cast<Index>(count));
-    std::vector<double> means, covariances;
+    std::vector<double> means, covariances, follows;
     std::vector<std::string> names;
+    Index directions = 0;  // components without any are written as zeros beside others
+    for (const ExpressionComponent& component : model.components)
+        directions = std::max(directions, component.follows.cols());
     for (std::size_t k = 0; k < model.components.size(); ++k) {
         const ExpressionComponent& component = model.components[k];
         names.push_back(component.name);
@@ -199,6 +227,9 @@ void save_expression_model(const std::string& path, const ExpressionModel& model
                      component.mean.data() + component.mean.size());
         covariances.insert(covariances.end(), component.covariance.data(),
                            component.covariance.data() + component.covariance.size());
+        Matrix own = Matrix::Zero(model.num_expression_modes(), directions);
+        own.leftCols(component.follows.cols()) = component.follows;
+        follows.insert(follows.end(), own.data(), own.data() + own.size());
     }
     std::map<std::string, std::string> metadata = model.info;
     metadata["kind"] = kKind;
@@ -227,6 +258,15 @@ void save_expression_model(const std::string& path, const ExpressionModel& model
         tensors.push_back({"identity_spill", DType::f64, {p, q}, model.spill.identity.data()});
         tensors.push_back({"expression_spill", DType::f64, {q, p}, model.spill.expression.data()});
     }
+    tensors.push_back({"expression_intensities",
+                       DType::f64,
+                       {model.intensities.size()},
+                       model.intensities.data()});
+    if (directions > 0)
+        tensors.push_back({"component_follows",
+                           DType::f64,
+                           {count, static_cast<std::uint64_t>(directions), q},
+                           follows.data()});
     if (!model.stable_vertices.empty())
         tensors.push_back({"stable_vertices",
                            DType::u32,

@@ -4,7 +4,8 @@
 // with a spill between the two where they were trained to be orthogonal (mode_spill.hpp),
 // and b from a mixture: a face shows one of a few expressions, so every trained expression has a
 // mean and a covariance of its own, next to "neutral" (b near zero) and "any" (the broad Gaussian
-// over all expressions, for what was never trained). The thesis keeps P and Q only.
+// over all expressions, for what was never trained). A wide mouth smiles widely: the mean of an
+// expression moves linearly with the identity. The thesis keeps P and Q only.
 #pragma once
 
 #include <map>
@@ -32,7 +33,10 @@ struct ExpressionComponent {
     std::string name;     ///< an expression's name, "neutral" or "any"
     double weight = 1.0;  ///< prior probability, up to a common factor
     Vector mean;          ///< q, mm along the unit modes
-    Matrix covariance;    ///< q x q, positive definite, mm^2
+    Matrix covariance;    ///< q x q, positive definite, mm^2: of what mean and person leave open
+    /// q x r, mm per mm: how the mean moves with the person, mean + follows * (first r identity
+    /// coordinates); empty: the same for everybody.
+    Matrix follows;
 };
 
 struct FitPlan;
@@ -48,6 +52,9 @@ struct ExpressionModel {
     Matrix gram;                   ///< (p+q) x (p+q), [P Q]' [P Q]
     ModeSpill spill;               ///< empty for joint PCA
     std::vector<ExpressionComponent> components;
+    /// How strongly an expression may be shown, shares of its mean, above 0: each trained component
+    /// is tried at each of them (fit.hpp). {1}: at full strength only.
+    std::vector<double> intensities = {1.0};
     /// Variance of one coordinate of what the modes do not explain, as the fits use it, mm^2.
     /// Larger than the plain residual, since that residual is smooth over the face (noise.hpp).
     double map_noise_mm2 = 30.0, mixture_noise_mm2 = 100.0;

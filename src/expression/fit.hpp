@@ -13,6 +13,12 @@
 //   (G + s L_k) (c_k - m_k) = r - G m_k,  s the noise variance,
 //   log e_k = log weight_k + [(c_k - m_k)'(r - G m_k) + 2 r'm_k - m_k'G m_k] / 2s
 //             - log det(G/s + L_k) / 2 + log det(L_k) / 2 + constant.
+// A weak smile is a smile: each trained expression is tried at a few intensities t, with mean t m,
+// covariance t^2 C + (1 - t^2) f T and an equal part of its weight, T the variance of all
+// expressions and f a small share; "neutral" and "any" as they are.
+// Where an expression's mean follows the person, b ~ N(m + M a, C), the joint prior stays Gaussian:
+// with A the identity's variances and K = C^-1
+//   L_k = [A^-1 + M'K M, -M'K; -K M, K],  mean (0, m),  det L_k = det A^-1 det K.
 #pragma once
 
 #include "base/context.hpp"
@@ -36,8 +42,10 @@ struct FitResult {
     Vector expression;  ///< q, b
     Matrix covariance;  ///< (p+q)^2, posterior of (a, b), mm^2; empty for exact and alternating
     std::vector<double> component_probabilities;  ///< of model.components; mixture only
-    int sweeps = 0;                               ///< alternating
-    bool converged = true;                        ///< alternating: the stop rule was met
+    std::vector<double> part_probabilities;       ///< of the plan's components; mixture only
+    double intensity = 1.0;  ///< expected, of the likeliest component; mixture only
+    int sweeps = 0;          ///< alternating
+    bool converged = true;   ///< alternating: the stop rule was met
 };
 
 /// What the fit needs of one face: linear in the data, so that several faces can be combined.
@@ -49,16 +57,19 @@ struct FaceEvidence {
 /// Factorisations that do not depend on the face, for weights of one.
 struct FitPlan {
     struct Part {
-        Matrix prior_precision;    ///< q x q
+        Matrix prior_precision;    ///< (p+q)^2, L without A^-1: of the expression, given the person
         Matrix solve;              ///< (G + s L)^-1, symmetric
-        double log_det_prior = 0;  ///< of prior_precision
+        double log_det_prior = 0;  ///< of the expression's own part of it, K
         double log_offset = 0;     ///< everything in log e_k that does not depend on the face
         Vector mean;               ///< p+q, zeros and the component's mean
         Vector gram_mean;          ///< G m_k
+        double weight = 1.0;       ///< prior probability, up to a common factor
+        std::size_t component = 0;  ///< of model.components
+        double intensity = 1.0;     ///< share of the component's mean
     };
     Matrix expression_gram;  ///< q x q, E'E of what the expression coordinates move, E = Q + P T
     Part map;
-    std::vector<Part> components;
+    std::vector<Part> components;  ///< every component at its intensities, in their order
 };
 
 /// Throws Status::mismatch, invalid_argument or invalid_mesh unless vertices and weights (or none)
@@ -83,11 +94,19 @@ FitResult fit_face(const ExpressionModel& model, const FaceEvidence& evidence,
 Vector mode_coordinates(const ExpressionModel& model, FitMethod method, const Vector& identity,
                         const Vector& expression);
 
-/// Part for a Gaussian prior with the given expression precision and mean on top of `gram`, which
-/// is that of the joint coordinates (ModeSpill::pull_gram).
+/// (p+q)^2: the precision of the expression, given the person (FitPlan::Part), from its own one (q
+/// x q) and how its mean follows the person (ExpressionComponent).
+Matrix precision_given_person(Index identity_modes, const Matrix& expression_precision,
+                              const Matrix& follows);
+
+/// Part for a Gaussian prior with the given precision (precision_given_person) and mean on top of
+/// `gram`, which is that of the joint coordinates (ModeSpill::pull_gram).
 FitPlan::Part plan_part(const ExpressionModel& model, const Matrix& gram, double noise_mm2,
-                        const Matrix& expression_precision, const Vector& expression_mean,
-                        double log_weight);
+                        const Matrix& precision, const Vector& expression_mean, double log_weight);
+
+/// All parts of the model's mixture: every component at its intensities.
+std::vector<FitPlan::Part> component_parts(const ExpressionModel& model, const Matrix& gram,
+                                           double noise_mm2);
 
 /// B' y without B in double: columns of floats, sums in double over fixed chunks.
 Vector project_modes(const Context& context, const ModesView& modes, const Vector& displacement);

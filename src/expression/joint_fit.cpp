@@ -56,7 +56,7 @@ void start(const Context& context, const ExpressionModel& model,
         const PlacedFit& alone = result.alone.back();
         result.poses.push_back(alone.to_model.inverse());
         result.placed.push_back(result.poses.back().inverse().apply(PointsRef(faces[k].vertices)));
-        const auto order = likeliest(alone.fit.component_probabilities, options.search.candidates);
+        const auto order = likeliest(alone.fit.part_probabilities, options.search.candidates);
         if (options.fit.method == FitMethod::mixture)
             result.chosen.push_back(order.empty() ? 0 : order[0]);
         context.progress(Stage::neutralizing,
@@ -114,8 +114,7 @@ JointFit fit_faces(const Context& context, const ExpressionModel& model,
     JointSystem system(context, model, options, weights, stride);
     std::vector<std::vector<std::size_t>> candidates;
     for (const PlacedFit& alone : result.alone)
-        candidates.push_back(
-            likeliest(alone.fit.component_probabilities, options.search.candidates));
+        candidates.push_back(likeliest(alone.fit.part_probabilities, options.search.candidates));
     std::vector<std::size_t> chosen =
         result.chosen.empty() ? std::vector<std::size_t>(faces.size(), 0) : result.chosen;
     const int steps = along_normal ? options.search.pose_steps : 0;

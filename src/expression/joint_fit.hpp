@@ -64,7 +64,8 @@ struct JointFit {
     Vector identity;                  ///< a
     std::vector<Vector> expressions;  ///< b_k
     Matrix covariance;                ///< K q x K q, posterior of (b_1 .. b_K); without prior empty
-    std::vector<std::size_t> chosen;  ///< each face's mixture component; map: empty
+    std::vector<std::size_t> chosen;  ///< each face's part of the mixture (of the
+                                      ///< model's plan); map: empty
     std::vector<Similarity> poses;    ///< training frame -> frame of the face
     std::vector<Points> placed;       ///< the faces in the training's frame
     std::vector<PlacedFit> alone;     ///< each face's own fit

@@ -183,9 +183,14 @@ void JointSystem::add_gram(Index k, Index l, const Matrix& gram) {
 
 Matrix JointSystem::with_priors(const std::vector<std::size_t>& choice) const {
     Matrix matrix = data_;
-    for (Index k = 0; k < count_; ++k)
-        matrix.block(p_ + k * q_, p_ + k * q_, q_, q_) +=
-            part(choice[static_cast<std::size_t>(k)]).prior_precision;
+    for (Index k = 0; k < count_; ++k) {
+        const Matrix& prior = part(choice[static_cast<std::size_t>(k)]).prior_precision;
+        const Index own = p_ + k * q_;
+        matrix.topLeftCorner(p_, p_) += prior.topLeftCorner(p_, p_);
+        matrix.block(0, own, p_, q_) += prior.topRightCorner(p_, q_);
+        matrix.block(own, 0, q_, p_) += prior.bottomLeftCorner(q_, p_);
+        matrix.block(own, own, q_, q_) += prior.bottomRightCorner(q_, q_);
+    }
     return matrix;
 }
 
@@ -195,10 +200,11 @@ JointSystem::Solution JointSystem::solve_with(const std::vector<std::size_t>& ch
     for (Index k = 0; k < count_; ++k) {
         const std::size_t component = choice[static_cast<std::size_t>(k)];
         const FitPlan::Part& prior = part(component);
-        const Vector pull = prior.prior_precision * prior.mean.tail(q_);
-        right.segment(p_ + k * q_, q_) += pull;
-        offset += 0.5 * prior.log_det_prior - 0.5 * prior.mean.tail(q_).dot(pull);
-        if (mixture()) offset += std::log(model_.components[component].weight);
+        const Vector pull = prior.prior_precision.rightCols(q_) * prior.mean.tail(q_);
+        right.head(p_) += pull.head(p_);
+        right.segment(p_ + k * q_, q_) += pull.tail(q_);
+        offset += 0.5 * prior.log_det_prior - 0.5 * prior.mean.tail(q_).dot(pull.tail(q_));
+        offset += std::log(prior.weight);
     }
     const Eigen::LLT<Matrix> factor(with_priors(choice));
     if (factor.info() != Eigen::Success)

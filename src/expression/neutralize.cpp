@@ -207,6 +207,7 @@ NeutralizationResult neutralize(const Context& context, const ExpressionModel& m
     result.identity = std::move(fit.identity);
     result.expression = std::move(fit.expression);
     result.component_probabilities = std::move(fit.component_probabilities);
+    result.intensity = fit.intensity;
     result.sweeps = fit.sweeps;
     result.converged = fit.converged;
     context.progress(Stage::neutralizing, 1.0);

@@ -27,6 +27,7 @@ struct NeutralizationResult {
     Points neutral_vertices;                      ///< #V x 3 of the input, mm
     Vector identity, expression;                  ///< coordinates, mm along the unit modes
     std::vector<double> component_probabilities;  ///< of model.components; mixture only
+    double intensity = 1.0;  ///< expected share of the likeliest expression that is shown
     /// Root of the summed posterior variance of a vertex's three coordinates, mm: of the expression
     /// that was taken off where the vertex was seen, of the whole person where its weight is zero;
     /// empty unless asked for, or for fits without a prior.

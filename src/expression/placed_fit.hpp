@@ -24,8 +24,8 @@ enum class Pose : std::int32_t {
     automatic = 0,  ///< aligned on the model's stable zone where it has one; else like `rigid` when
                     ///< the face lies more than 3 degrees or 8 mm away from the mean face and a
                     ///< rigid motion explains it clearly better, else like `keep`
-    keep = 1,   ///< in the training's frame
-    rigid = 2,  ///< anywhere: a rigid motion is fitted together with identity and expression
+    keep = 1,       ///< in the training's frame
+    rigid = 2,      ///< anywhere: a rigid motion is fitted together with identity and expression
 };
 
 struct PlacedFit {

@@ -1,54 +1,51 @@
-// The prior of expression coordinates and the noise level, learned from coordinates.
+// The prior of expression coordinates, learned from coordinates.
 //
-// Every expression e gets the mean and covariance of its training displacements. Few samples do not
-// determine a covariance: it is drawn towards the pooled within-expression covariance by a count of
-// pseudo-samples, and a floor of a small share of the total variance keeps it definite and
-// tolerant. "neutral" is a narrow Gaussian at zero, "any" the broad Gaussian of all displacements.
-//
-// The noise level cannot be read off the residual: what the identity modes do not explain of a new
-// person is smooth over the face, so it carries far fewer degrees of freedom than coordinates. It
-// is chosen by cross-validation over subjects: the identity modes and the prior are learned without
-// a fold of the subjects, the fold's faces are neutralized, and the noise with the least error
-// wins.
+// Every expression e gets the mean and covariance of its training displacements, and a mean that
+// moves with the person: displacements are regressed on the first identity coordinates, in closed
+// form with a ridge that keeps what few people show small,
+//     M = Y Z' (Z Z' + rho I)^-1,   Z whitened and centred,
+// and the covariance is that of the residuals, each as if its own face had been left out (divided
+// by sqrt(1 - its leverage)). Few samples do not determine a covariance: it is drawn towards the
+// pooled within-expression covariance by a count of pseudo-samples, and a floor of a small share of
+// the total variance keeps it definite and tolerant. "neutral" is a narrow Gaussian at zero, "any"
+// the broad Gaussian of all displacements.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "base/context.hpp"
-#include "expression/column_source.hpp"
+#include "base/types.hpp"
 #include "expression/expression_model.hpp"
-#include "expression/joint_span.hpp"
 
 namespace mien {
 
+/// Chosen by hold-out over the training people of seed 1 (tests/bench/README.md, Neutralization).
 struct PriorOptions {
-    double floor_share = 1e-3;    ///< of the modes' variance, added to every covariance
-    double pooled_samples = 2.0;  ///< pseudo-samples of the pooled covariance
-    double neutral_share = 5e-4;  ///< variance of the neutral component, same unit
-    Index min_samples = 3;        ///< expressions with fewer faces get no component of their own
+    double floor_share = 1e-3;       ///< of the modes' variance, added to every covariance
+    double pooled_samples = 2.0;     ///< pseudo-samples of the pooled covariance
+    double neutral_share = 5e-4;     ///< variance of the neutral component, same unit
+    Index min_samples = 3;           ///< expressions with fewer faces get no component of their own
+    Index identity_directions = 40;  ///< of the person that an expression's mean follows, at most;
+                                     ///< 0: none
+    /// Faces of an expression from which on its mean follows the person. 75 and 100 training people
+    /// gain 9 and 5 %, 20 lose 5 %: few people do not determine it.
+    Index min_followers = 50;
+    double identity_ridge = 10.0;  ///< rho, > 0, in people of one deviation
+    /// Shares of an expression that are tried (fit.hpp), above 0; where some expression has
+    /// min_followers faces. {1}: at full strength only.
+    std::vector<double> intensities = {1.0};
+    double largest_leverage = 0.95;  ///< of a face on its own prediction, below 1
 };
 
-/// Components from displacements in mode coordinates (q x s) with their expressions.
-std::vector<ExpressionComponent> expression_components(const Matrix& coordinates,
-                                                       const std::vector<int>& expression,
-                                                       const std::vector<std::string>& names,
-                                                       const Vector& deviations,
-                                                       const PriorOptions& options);
+/// The intensities for a training set with these expressions: full strength only for small sets.
+std::vector<double> intensities_for(const std::vector<int>& expression,
+                                    const PriorOptions& options);
 
-struct NoiseLevels {
-    double map_mm2 = 30.0, mixture_mm2 = 100.0;
-    double map_error_mm = 0.0, mixture_error_mm = 0.0;  ///< cross-validated root mean square error
-    /// Distance per vertex from their fits that 95 % of the tested faces stay under; 0: not known.
-    double residual_mm = 0.0;
-};
-
-/// Cross-validation of both noise levels; deterministic. `expression_basis` (r x q, with the spill)
-/// and `expression_coordinates` (q x s) make the displacements; `identity_modes` is the number of
-/// modes.
-NoiseLevels estimate_noise(const Context& context, const ColumnSource& source,
-                           const JointSpan& span, const Matrix& expression_basis,
-                           const Matrix& expression_coordinates, Index identity_modes,
-                           const PriorOptions& options);
+/// Components from displacements in mode coordinates (q x s) with their expressions, and the
+/// identity coordinates (p x s, of deviations `identity_deviations`) of each one's person.
+std::vector<ExpressionComponent> expression_components(
+    const Matrix& coordinates, const std::vector<int>& expression,
+    const std::vector<std::string>& names, const Vector& deviations, const Matrix& identities,
+    const Vector& identity_deviations, const PriorOptions& options);
 
 }  // namespace mien

@@ -139,7 +139,9 @@ std::string neutralization_json(const ExpressionModel& model, const Neutralizati
             json.field(model.components[k].name, result.component_probabilities[k]);
             if (result.component_probabilities[k] > result.component_probabilities[best]) best = k;
         }
-        json.end_object().field("expression", model.components[best].name);
+        json.end_object()
+            .field("expression", model.components[best].name)
+            .field("intensity", result.intensity);
     }
     if (result.uncertainty_mm.size() != 0)
         json.field("mean_uncertainty_mm", result.uncertainty_mm.mean())

@@ -56,6 +56,9 @@ SampledCoordinates sample_coordinates(const ExpressionModel& model, std::uint64_
                      shown_name(expression).c_str());
             sample.expression =
                 component.mean + factor.matrixL() * normal.vector(model.num_expression_modes());
+            if (component.follows.size() != 0)
+                sample.expression +=
+                    component.follows * sample.identity.head(component.follows.cols());
             return sample;
         }
     fail(Status::not_found, "the model has no expression '%s'", shown_name(expression).c_str());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
 
 #include "base/dense.hpp"
 #include "base/error.hpp"
@@ -36,6 +37,50 @@ Vector root_mean_square_rows(const Matrix& coordinates, double count) {
     return values.cwiseMax(1e-6 * std::max(values.maxCoeff(), 1e-6));
 }
 
+/// The identity coordinates (p x m) of each displacement's person, p x s.
+Matrix identities_of_faces(const ColumnSource& source, const Matrix& identity_coordinates) {
+    std::map<int, Index> column_of;
+    for (Index k = 0; k < source.num_neutrals(); ++k)
+        column_of[source.neutral_subject[static_cast<std::size_t>(k)]] = k;
+    Matrix identities(identity_coordinates.rows(), source.num_displacements());
+    for (Index k = 0; k < source.num_displacements(); ++k)
+        identities.col(k) = identity_coordinates.col(
+            column_of.at(source.displacement_subject[static_cast<std::size_t>(k)]));
+    return identities;
+}
+
+void fill_report(const ColumnSource& source, const JointSpan& span, const JointPca& subspaces,
+                 const Matrix& identity_coordinates, const Matrix& expression_coordinates,
+                 const NoiseLevels& noise, TrainReport& report) {
+    report.subjects = source.num_neutrals();
+    report.faces = source.num_neutrals() + source.num_displacements();
+    report.skipped_faces = source.num_skipped;
+    report.k = subspaces.k;
+    report.lambda = subspaces.lambda;
+    report.iterations = subspaces.iterations;
+    report.last_angle_rad = subspaces.last_angle_rad;
+    report.converged = subspaces.converged;
+    report.orthogonality = orthogonality_scores(subspaces.identity, subspaces.expression);
+    report.joint_pca_orthogonality = subspaces.start_orthogonality;
+    report.identity_explained = identity_coordinates.squaredNorm() / span.neutral_energy;
+    report.expression_explained = expression_coordinates.squaredNorm() / span.displacement_energy;
+    report.span_cut = (span.neutral_energy_cut + span.displacement_energy_cut) /
+                      (span.neutral_energy + span.displacement_energy);
+    report.noise = noise;
+}
+
+/// The span of the training columns, wide enough for the modes asked for.
+JointSpan span_for(const Context& context, const ColumnSource& source,
+                   const TrainOptions& options) {
+    JointSpanOptions span = options.span;
+    const auto default_rank = [](Index modes) { return std::max(3 * modes, modes + 60); };
+    if (span.identity_rank == 0)
+        span.identity_rank = default_rank(options.subspaces.identity_modes);
+    if (span.expression_rank == 0)
+        span.expression_rank = default_rank(options.subspaces.expression_modes);
+    return find_joint_span(context, source, span);
+}
+
 }  // namespace
 
 std::shared_ptr<const ExpressionModel> train_expression_model(const ColumnSource& source,
@@ -44,13 +89,7 @@ std::shared_ptr<const ExpressionModel> train_expression_model(const ColumnSource
                                                               TrainReport* report) {
     if (options.subspaces.identity_modes > 4000 || options.subspaces.expression_modes > 4000)
         fail(Status::invalid_argument, "at most 4000 modes of each kind can be trained");
-    JointSpanOptions span_options = options.span;
-    auto default_rank = [](Index modes) { return std::max(3 * modes, modes + 60); };
-    if (span_options.identity_rank == 0)
-        span_options.identity_rank = default_rank(options.subspaces.identity_modes);
-    if (span_options.expression_rank == 0)
-        span_options.expression_rank = default_rank(options.subspaces.expression_modes);
-    const JointSpan span = find_joint_span(context, source, span_options);
+    const JointSpan span = span_for(context, source, options);
     JointPca subspaces = joint_pca(context, span.neutrals, span.displacements, options.subspaces);
     const Index p = subspaces.identity.cols(), q = subspaces.expression.cols();
     const double m = static_cast<double>(source.num_neutrals());
@@ -91,9 +130,11 @@ std::shared_ptr<const ExpressionModel> train_expression_model(const ColumnSource
             subspaces.identity.transpose() * span.displacements, expression_coordinates);
         expression_basis += subspaces.identity * model->spill.expression;
     }
-    model->components =
-        expression_components(expression_coordinates, source.displacement_expression,
-                              source.expression_names, model->expression_deviations, options.prior);
+    model->components = expression_components(
+        expression_coordinates, source.displacement_expression, source.expression_names,
+        model->expression_deviations, identities_of_faces(source, identity_coordinates),
+        model->identity_deviations, options.prior);
+    model->intensities = intensities_for(source.displacement_expression, options.prior);
     model->expression_names = source.expression_names;
     model->stable_vertices = source.stable_vertices;
 
@@ -117,24 +158,9 @@ std::shared_ptr<const ExpressionModel> train_expression_model(const ColumnSource
     }
     finish_expression_model(*model);
 
-    if (report != nullptr) {
-        report->subjects = source.num_neutrals();
-        report->faces = source.num_neutrals() + source.num_displacements();
-        report->skipped_faces = source.num_skipped;
-        report->k = subspaces.k;
-        report->lambda = subspaces.lambda;
-        report->iterations = subspaces.iterations;
-        report->last_angle_rad = subspaces.last_angle_rad;
-        report->converged = subspaces.converged;
-        report->orthogonality = orthogonality_scores(subspaces.identity, subspaces.expression);
-        report->joint_pca_orthogonality = subspaces.start_orthogonality;
-        report->identity_explained = identity_coordinates.squaredNorm() / span.neutral_energy;
-        report->expression_explained =
-            expression_coordinates.squaredNorm() / span.displacement_energy;
-        report->span_cut = (span.neutral_energy_cut + span.displacement_energy_cut) /
-                           (span.neutral_energy + span.displacement_energy);
-        report->noise = noise;
-    }
+    if (report != nullptr)
+        fill_report(source, span, subspaces, identity_coordinates, expression_coordinates, noise,
+                    *report);
     context.progress(Stage::training, 1.0);
     return model;
 }

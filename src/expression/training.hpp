@@ -8,6 +8,7 @@
 #include "expression/expression_model.hpp"
 #include "expression/joint_pca.hpp"
 #include "expression/joint_span.hpp"
+#include "expression/noise.hpp"
 #include "expression/prior.hpp"
 #include "mesh/dataset.hpp"
 

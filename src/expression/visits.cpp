@@ -110,7 +110,8 @@ VisitsResult neutralize_visits(const Context& context, const ExpressionModel& mo
         result.neutral_vertices.push_back(fit.poses[k].apply(PointsRef(neutral)));
         result.residuals_mm.push_back(fit.alone[k].residual_rms_mm);
         if (!fit.chosen.empty() && !model.components.empty())
-            result.components.push_back(model.components[fit.chosen[k]].name);
+            result.components.push_back(
+                model.components[model.plan->components[fit.chosen[k]].component].name);
     }
     result.identity = std::move(fit.identity);
     result.expressions = std::move(fit.expressions);

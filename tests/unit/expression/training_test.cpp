@@ -55,6 +55,93 @@ TEST(Training, MeanOfMoreSubjectsThanOneBlockHolds) {
     EXPECT_LT(model->identity_deviations.maxCoeff(), 200.0);
 }
 
+/// Expressions that grow with the person: a wide face smiles widely.
+Points growing_face(const Study& study, int subject, int expression) {
+    const Points neutral = study.neutral(subject);
+    if (expression == 0) return neutral;
+    const double width = (neutral - study.rest).col(2).mean();  // of either sign, some mm
+    return neutral + study.bump(40, 20 + 20 * expression, 16, Vector3(0, -8 - 2 * width, 3));
+}
+
+double growing_error(const ExpressionModel& model, const Study& study) {
+    double error = 0;
+    for (int subject = 60; subject < 80; ++subject) {
+        const Points face = growing_face(study, subject, 1 + subject % 4);
+        error +=
+            test::mean_distance(neutralize(Context(), model, face, Vector(), {}).neutral_vertices,
+                                study.neutral(subject));
+    }
+    return error / 20;
+}
+
+TEST(Training, AnExpressionsMeanFollowsThePerson) {
+    const Study study;
+    FaceDatasetWriter writer(study.triangles, study.rest.rows(), study.names);
+    for (int subject = 0; subject < 40; ++subject)
+        for (int expression = 0; expression < 5; ++expression)
+            writer.add(growing_face(study, subject, expression), subject, expression);
+    const auto data = Study::written(writer, "growing");
+    TrainOptions options = small_options();
+    options.prior.min_followers = 20;
+    const auto follows = train_expression_model(data, options, Context());
+    options.prior.identity_directions = 0;
+    const auto rigid = train_expression_model(data, options, Context());
+    EXPECT_EQ(rigid->components[1].follows.size(), 0);
+    EXPECT_EQ(follows->components[1].follows.cols(), 10);
+    options = small_options();
+    EXPECT_EQ(train_expression_model(data, options, Context())->components[1].follows.size(), 0)
+        << "40 people do not determine it";
+    EXPECT_LT(growing_error(*follows, study), 0.8 * growing_error(*rigid, study));
+}
+
+TEST(Training, AWeakExpressionIsTakenOffToo) {
+    const Study study;
+    const auto data = study.dataset(0, study.subjects, "weak");
+    TrainOptions options = small_options();
+    options.prior.min_followers = 10;
+    options.prior.intensities = {0.25, 0.5, 0.75, 1.0};
+    const auto graded = train_expression_model(data, options, Context());
+    options.prior.intensities = {1.0};
+    const auto full = train_expression_model(data, options, Context());
+    EXPECT_EQ(full->plan->components.size(), full->components.size());
+    double with = 0, without = 0, intensity = 0;
+    for (int subject = 60; subject < 80; ++subject) {
+        const Points neutral = study.neutral(subject);
+        const Points weak = neutral + 0.3 * (study.face(subject, 1 + subject % 4) - neutral);
+        const NeutralizationResult result = neutralize(Context(), *graded, weak, Vector(), {});
+        with += test::mean_distance(result.neutral_vertices, neutral);
+        without += test::mean_distance(
+            neutralize(Context(), *full, weak, Vector(), {}).neutral_vertices, neutral);
+        intensity += result.intensity / 20;
+        EXPECT_EQ(result.component_probabilities.size(), graded->components.size());
+    }
+    EXPECT_LT(with, 0.8 * without);
+    EXPECT_LT(intensity, 0.7);
+    const Points strong = study.face(81, 2);
+    EXPECT_GT(neutralize(Context(), *graded, strong, Vector(), {}).intensity, 0.7);
+}
+
+TEST(Training, WhatFollowsThePersonSurvivesTheFile) {
+    const Study study;
+    TrainOptions options = small_options();
+    options.prior.min_followers = 10;
+    const auto model =
+        train_expression_model(study.dataset(0, study.subjects, "follows"), options, Context());
+    ASSERT_EQ(model->components[1].follows.cols(), 10);
+    const std::string path = Study::path("follows_model");
+    save_expression_model(path, *model, Context());
+    const auto loaded = load_expression_model(path, {}, Context());
+    std::remove(path.c_str());
+    ASSERT_EQ(loaded->components.size(), model->components.size());
+    for (std::size_t k = 1; k + 1 < model->components.size(); ++k)
+        EXPECT_EQ(loaded->components[k].follows, model->components[k].follows) << k;
+    EXPECT_EQ(loaded->intensities, model->intensities);
+    EXPECT_TRUE(loaded->components.front().follows.isZero(0.0)) << "neutral is the same for all";
+    const Points face = study.face(60, 2);
+    EXPECT_EQ(neutralize(Context(), *loaded, face, Vector(), {}).expression,
+              neutralize(Context(), *model, face, Vector(), {}).expression);
+}
+
 TEST(Training, QuasiOrthogonalSubspacesAreMoreOrthogonal) {
     const Study study;
     const auto data = study.dataset(0, study.subjects, "quasi");
