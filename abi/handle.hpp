@@ -32,6 +32,7 @@ enum class Tag : std::uint32_t {
     visits = 0x4D530012,
     landmarks = 0x4D530030,
     zones = 0x4D530031,
+    study = 0x4D530013,
 };
 
 /// Base of every object behind a handle. Never moved; freed by release().

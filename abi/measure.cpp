@@ -30,7 +30,7 @@ namespace {
 mien_measure_options default_measure_options() {
     mien_measure_options options{};
     options.skip_borders = 1;
-    options.correlation_length_mm = 10.0;
+    options.correlation_length_mm = VolumeErrorModel().correlation_length_mm;
     return options;
 }
 
@@ -78,8 +78,8 @@ std::optional<VolumeErrorModel> read_errors(const mien_measure_options& options)
                                       options.alignment_centre[2]);
     errors.correlation_length_mm = options.correlation_length_mm;
     errors.common_bias_mm = options.common_bias_mm;
-    const bool known = options.before_sd.count != 0 || options.after_sd.count != 0 ||
-                       rotation > 0 || shift > 0 || options.common_bias_mm != 0;
+    // An interval of the alignment or the bias alone would promise too much.
+    const bool known = options.before_sd.count != 0 || options.after_sd.count != 0;
     return known ? std::optional<VolumeErrorModel>(errors) : std::nullopt;
 }
 

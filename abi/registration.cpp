@@ -7,17 +7,26 @@
 #include "options.hpp"
 #include "registration/report.hpp"
 #include "session.hpp"
+#include "study/study_face.hpp"
 
 using namespace mien;
 using namespace mien::abi;
 
-mien_registration::mien_registration(RegistrationResult&& result)
-    : Object(kTag), data(std::move(result)), json(registration_json(data)) {
+mien_registration::mien_registration(RegistrationResult&& result,
+                                     const std::vector<Zone>& model_zones)
+    : Object(kTag), data(std::move(result)), zones(model_zones), json(registration_json(data)) {
     // Places that a file's float coordinates hold exactly: what comes after the fit gives the same
     // bits whether it reads the fitted face from here or from the file that it was saved to.
     data.fitted.vertices = data.fitted.vertices.cast<float>().cast<double>();
     mesh = new mien_mesh(std::make_shared<const TriMesh>(std::move(data.fitted)));
 }
+
+mien_registration::mien_registration(FitRecord&& record)
+    : Object(kTag),
+      data(std::move(record.fit)),
+      zones(std::move(record.zones)),
+      json(registration_json(data)),
+      mesh(new mien_mesh(std::make_shared<const TriMesh>(std::move(record.mesh)))) {}
 
 mien_registration::~mien_registration() {
     release(mesh);
@@ -147,9 +156,10 @@ mien_status MIEN_CALL mien_register(mien_session* session, const mien_model* mod
         const DeformationModel& face = *checked(model, "model").model;
         const TriMesh& data = *checked(scan, "scan").mesh;
         const Call call(session, given.progress, given.progress_user, given.cancel);
-        return new mien_registration(register_scan(face, data,
-                                                   as_model_names(read_landmarks(given), face),
-                                                   convert(given), call.context()));
+        return new mien_registration(
+            register_scan(face, data, as_model_names(read_landmarks(given), face), convert(given),
+                          call.context()),
+            face.zones);
     });
 }
 
@@ -199,9 +209,16 @@ mien_status MIEN_CALL mien_registration_get_field(const mien_registration* regis
                 scaled = kRadius95 * data.confidence_mm;
                 values = &scaled;
                 break;
+            case MIEN_REGISTRATION_NORMAL_DEVIATION_MM:
+                scaled = normal_deviation_mm(data.confidence_mm, data.weight, data.residual_mm,
+                                             SurfaceErrorSettings().noise_mm);
+                values = &scaled;
+                break;
             default:
                 fail(Status::not_found, "a registration has no field %d", field);
         }
+        if (values->size() == 0)
+            fail(Status::not_found, "field %d of this registration is not known", field);
         copy_rows(values->data(), static_cast<std::uint64_t>(values->size()), sizeof(double), dst,
                   capacity, count);
     });

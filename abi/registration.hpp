@@ -5,15 +5,17 @@
 #include <string>
 
 #include "mesh.hpp"
-#include "registration/registration.hpp"
+#include "registration/fit_record.hpp"
 
 struct mien_registration : mien::abi::Object {
     static constexpr mien::abi::Tag kTag = mien::abi::Tag::registration;
     static constexpr const char* kName = "registration";
-    explicit mien_registration(mien::RegistrationResult&& result);
+    mien_registration(mien::RegistrationResult&& result, const std::vector<mien::Zone>& zones);
+    explicit mien_registration(mien::FitRecord&& record);
     ~mien_registration();
 
     mien::RegistrationResult data;  // data.fitted has moved into `mesh`
+    std::vector<mien::Zone> zones;  // of the model
     std::string json;
     mien_mesh* mesh = nullptr;  // one reference of our own
 };

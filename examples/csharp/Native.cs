@@ -89,6 +89,7 @@ namespace Mien.Native
         internal const int MIEN_REGISTRATION_WEIGHT = 2;
         internal const int MIEN_REGISTRATION_STANDARD_DEVIATION_MM = 3;
         internal const int MIEN_REGISTRATION_RADIUS95_MM = 4;
+        internal const int MIEN_REGISTRATION_NORMAL_DEVIATION_MM = 5;
         internal const int MIEN_TRANSFER_LANDMARKS = 1;
         internal const int MIEN_TRANSFER_ZONES = 2;
         internal const int MIEN_FIT_MIXTURE = 0;
@@ -121,6 +122,14 @@ namespace Mien.Native
         internal const int MIEN_FEATURES_DEFORMATION_STANDARDISED = 6;
         internal const int MIEN_PLS_NIPALS = 0;
         internal const int MIEN_PLS_SIMPLS = 1;
+        internal const int MIEN_STUDY_KNOWN = 0;
+        internal const int MIEN_STUDY_UNSEEN = 1;
+        internal const int MIEN_STUDY_FAILED_FIT = 2;
+        internal const int MIEN_STUDY_NO_SURFACE_ERRORS = 3;
+        internal const int MIEN_STUDY_OUTSIDE_EXPRESSIONS = 4;
+        internal const int MIEN_STUDY_FIELD_NORMAL_SD_MM = 1;
+        internal const int MIEN_STUDY_FIELD_WEIGHT = 2;
+        internal const int MIEN_STUDY_FIELD_EXPRESSION_SD_MM = 3;
         internal const int MIEN_TRAIN_JPCA = 0;
         internal const int MIEN_TRAIN_QOJPCA = 1;
     }
@@ -543,6 +552,64 @@ namespace Mien.Native
     }
 
     [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct StudyOptions
+    {
+        public uint structSize;
+        public uint reserved;
+        public IntPtr zones;
+        public ulong zoneCount;
+        public IntPtr treatedZones;
+        public ulong treatedCount;
+        public IntPtr stableZones;
+        public ulong stableCount;
+        public IntPtr visits;
+        public ulong visitNumberCount;
+        public double marginMm;
+        public double level;
+        public double noiseMm;
+        public double correlationLengthMm;
+        public double commonBiasMm;
+        public double untrainedShare;
+        public double minSeenShare;
+        public IntPtr progress;
+        public IntPtr progressUser;
+        public IntPtr cancel;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct StudyValue
+    {
+        public double value;
+        public double sd;
+        public double low;
+        public double high;
+        public double limitOfDetection;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct StudyChange
+    {
+        public uint structSize;
+        public int unknown;
+        public StudyValue signedMl;
+        public StudyValue gainedMl;
+        public StudyValue lostMl;
+        public StudyValue absoluteMl;
+        public StudyValue areaChangeMm2;
+        public StudyValue meanDistanceMm;
+        public double surfaceSdMl;
+        public double alignmentSdMl;
+        public double biasSdMl;
+        public double expressionSdMl;
+        public double expressionRemovedMl;
+        public double seenShare;
+        public double areaBeforeMm2;
+        public double areaAfterMm2;
+        public int detected;
+        public uint reserved;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     internal unsafe struct TrainOptions
     {
         public uint structSize;
@@ -684,6 +751,11 @@ namespace Mien.Native
     internal sealed class SeriesHandle : Handle
     {
         protected override bool ReleaseHandle() { Functions.mien_series_release(handle); return true; }
+    }
+
+    internal sealed class StudyHandle : Handle
+    {
+        protected override bool ReleaseHandle() { Functions.mien_study_release(handle); return true; }
     }
 
     internal sealed class VisitsHandle : Handle
@@ -1593,6 +1665,30 @@ namespace Mien.Native
 
 #if NET7_0_OR_GREATER
         [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_registration_save(SessionHandle session, RegistrationHandle registration, byte[] path, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_registration_save(SessionHandle session, RegistrationHandle registration, byte[] path, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_registration_load(SessionHandle session, byte[] path, out RegistrationHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_registration_load(SessionHandle session, byte[] path, out RegistrationHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_registration_create(SessionHandle session, MeshHandle mesh, ref ArrayView weight, ref ArrayView residual, ref ArrayView standard_deviation, int quality, out RegistrationHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_registration_create(SessionHandle session, MeshHandle mesh, ref ArrayView weight, ref ArrayView residual, ref ArrayView standard_deviation, int quality, out RegistrationHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial void mien_registration_retain(IntPtr registration);
 #else
         [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
@@ -2285,6 +2381,118 @@ namespace Mien.Native
 #else
         [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_series_release(IntPtr series);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_study_options_init(ref StudyOptions options, UIntPtr struct_size);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_study_options_init(ref StudyOptions options, UIntPtr struct_size);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_study_create(SessionHandle session, out RegistrationHandle registrations, uint registration_count, IntPtr expressions, ref StudyOptions options, out StudyHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_study_create(SessionHandle session, out RegistrationHandle registrations, uint registration_count, IntPtr expressions, ref StudyOptions options, out StudyHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_study_create_from_meshes(SessionHandle session, out MeshHandle faces, uint face_count, ref ArrayView normal_sd, ref ArrayView weights, IntPtr expressions, ref StudyOptions options, out StudyHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_study_create_from_meshes(SessionHandle session, out MeshHandle faces, uint face_count, ref ArrayView normal_sd, ref ArrayView weights, IntPtr expressions, ref StudyOptions options, out StudyHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_study_get_counts(StudyHandle study, out ulong visit_count, out ulong zone_count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_study_get_counts(StudyHandle study, out ulong visit_count, out ulong zone_count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_study_get_zone_name(StudyHandle study, int zone, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_study_get_zone_name(StudyHandle study, int zone, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_study_get_expression(StudyHandle study, int visit, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_study_get_expression(StudyHandle study, int visit, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_study_get_mesh(StudyHandle study, int visit, int frame, out MeshHandle @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_study_get_mesh(StudyHandle study, int visit, int frame, out MeshHandle @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_study_get_field(StudyHandle study, int visit, int field, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_study_get_field(StudyHandle study, int visit, int field, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_study_get_distances(StudyHandle study, int first, int second, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_study_get_distances(StudyHandle study, int first, int second, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_study_get_alignment(StudyHandle study, int first, int second, ref ZoneAlignment @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_study_get_alignment(StudyHandle study, int first, int second, ref ZoneAlignment @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_study_get_change(StudyHandle study, int first, int second, int zone, ref StudyChange @out, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_study_get_change(StudyHandle study, int first, int second, int zone, ref StudyChange @out, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int mien_study_get_json(StudyHandle study, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_study_get_json(StudyHandle study, IntPtr dst, ulong capacity, out ulong count, ref Error error);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_study_retain(IntPtr study);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_study_retain(IntPtr study);
+#endif
+
+#if NET7_0_OR_GREATER
+        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial void mien_study_release(IntPtr study);
+#else
+        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_study_release(IntPtr study);
 #endif
 
 #if NET7_0_OR_GREATER

@@ -6,9 +6,9 @@
 #include <stdint.h>
 
 #define MIEN_VERSION_MAJOR 0
-#define MIEN_VERSION_MINOR 1
+#define MIEN_VERSION_MINOR 2
 #define MIEN_VERSION_PATCH 0
-#define MIEN_VERSION_STRING "0.1.0"
+#define MIEN_VERSION_STRING "0.2.0"
 
 /** The ABI that these headers describe; mien_session_create() refuses a library of another one. */
 #define MIEN_ABI_VERSION 0u

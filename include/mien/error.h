@@ -70,7 +70,7 @@ MIEN_API const char* MIEN_CALL mien_status_name(mien_status status);
 MIEN_API uint32_t MIEN_CALL mien_version_number(void);
 
 /**
- * The library's version as text, e.g. "0.1.0".
+ * The library's version as text, e.g. "0.2.0".
  *
  * @errors none
  * @owner  static text, never freed

@@ -19,9 +19,12 @@ typedef struct mien_measure_options {
     const mien_zone* zones; /**< zone_count zones; null: the whole face only */
     uint64_t zone_count;
     mien_array_view
-        before_sd; /**< #V, mm: deviation of each vertex along the normal; count 0: exact */
+        before_sd; /**< #V, mm: deviation of each vertex along the normal, as
+                      MIEN_REGISTRATION_NORMAL_DEVIATION_MM tells it; count 0: exact. Without that
+                      of either face there is no interval (since 0.2), whatever the alignment's */
     mien_array_view after_sd;
-    double correlation_length_mm;     /**< over which errors of a surface go together; default 10 */
+    double correlation_length_mm;     /**< over which errors of a surface go together; default 4, in
+                                         0.1: 10 */
     double alignment_rotation_sd_rad; /**< of the after face against the before face; default 0 */
     double alignment_translation_sd_mm; /**< default 0 */
     double alignment_centre[3];   /**< mm; what the alignment turns about, e.g. the stable zone's

@@ -24,6 +24,7 @@
 #include "series.h"
 #include "session.h"
 #include "spectral.h"
+#include "study.h"
 #include "template_check.h"
 #include "training.h"
 #include "visits.h"

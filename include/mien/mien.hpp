@@ -12,6 +12,7 @@
 #include "detail/registration.hpp"
 #include "detail/score.hpp"
 #include "detail/spectral.hpp"
+#include "detail/study.hpp"
 #include "detail/visits.hpp"
 
 #endif

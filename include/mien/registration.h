@@ -97,7 +97,10 @@ enum {
         1, /**< signed distance to the scan, positive: the scan lies outside */
     MIEN_REGISTRATION_WEIGHT = 2, /**< in [0, 1]: how much of the scan's say counted */
     MIEN_REGISTRATION_STANDARD_DEVIATION_MM = 3, /**< of the place, per axis (root mean square) */
-    MIEN_REGISTRATION_RADIUS95_MM = 4 /**< the true place lies within, 95 times out of 100 */
+    MIEN_REGISTRATION_RADIUS95_MM = 4, /**< the true place lies within, 95 times out of 100 */
+    MIEN_REGISTRATION_NORMAL_DEVIATION_MM = 5 /**< how far the surface may lie off the skin along
+                                                 its normal: what mien_measure_options wants. Since
+                                                 0.2 */
 };
 
 /**
@@ -180,13 +183,14 @@ MIEN_API mien_status MIEN_CALL mien_registration_get_verdict(const mien_registra
  *
  * @param registration [in] not null.
  * @param field        [in] one of MIEN_REGISTRATION_RESIDUAL_MM, MIEN_REGISTRATION_WEIGHT,
- *                     MIEN_REGISTRATION_STANDARD_DEVIATION_MM, MIEN_REGISTRATION_RADIUS95_MM.
+ *                     MIEN_REGISTRATION_STANDARD_DEVIATION_MM, MIEN_REGISTRATION_RADIUS95_MM,
+ *                     MIEN_REGISTRATION_NORMAL_DEVIATION_MM.
  * @param dst          [out] room for capacity values, or null.
  * @param capacity     [in] values that dst holds.
  * @param count        [out] may be null; #V.
  * @param error        [out] may be null.
- * @errors MIEN_E_INVALID_HANDLE, MIEN_E_NOT_FOUND (no such field), MIEN_E_BUFFER_TOO_SMALL (dst
- * untouched, count written)
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_NOT_FOUND (no such field, or it is not known of this
+ * registration), MIEN_E_BUFFER_TOO_SMALL (dst untouched, count written)
  * @owner  nothing
  * @thread thread-safe
  * @cancel no
@@ -257,6 +261,74 @@ MIEN_API mien_status MIEN_CALL mien_registration_get_motion(const mien_registrat
 MIEN_API mien_status MIEN_CALL mien_registration_get_json(const mien_registration* registration,
                                                           char* dst, uint64_t capacity,
                                                           uint64_t* count, mien_error* error);
+
+/**
+ * Keeps a registration as a file: the fitted template, its residuals, weights and deviations, the
+ * verdict and the model's zones, so that visits can be registered today and studied in a year. The
+ * scan is not in it.
+ *
+ * @param session      [in] not null.
+ * @param registration [in] not null.
+ * @param path         [in] not null; UTF-8; replaced whole.
+ * @param error        [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_NO_MEMORY,
+ * MIEN_E_CANCELLED
+ * @owner  nothing
+ * @thread externally synchronized by session
+ * @cancel no
+ * @cost   O(#V)
+ * @since  0.2
+ */
+MIEN_API mien_status MIEN_CALL mien_registration_save(mien_session* session,
+                                                      const mien_registration* registration,
+                                                      const char* path, mien_error* error);
+
+/**
+ * Reads a registration that mien_registration_save() kept. It gives the same bits as the
+ * registration itself.
+ *
+ * @param session [in] not null.
+ * @param path    [in] not null; UTF-8.
+ * @param out     [out] not null; the registration, or null on failure.
+ * @param error   [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_BAD_FORMAT,
+ * MIEN_E_CORRUPT, MIEN_E_WRONG_KIND, MIEN_E_UNSUPPORTED_VERSION, MIEN_E_INVALID_MESH,
+ * MIEN_E_MISMATCH, MIEN_E_NO_MEMORY
+ * @owner  the caller releases *out with mien_registration_release()
+ * @thread externally synchronized by session
+ * @cancel no
+ * @cost   O(#V)
+ * @since  0.2
+ */
+MIEN_API mien_status MIEN_CALL mien_registration_load(mien_session* session, const char* path,
+                                                      mien_registration** out, mien_error* error);
+
+/**
+ * A registration of a face that was fitted elsewhere, or whose arrays a host kept itself. What is
+ * not given here is zero or empty in it.
+ *
+ * @param session            [in] not null.
+ * @param mesh               [in] not null; the fitted template, mm.
+ * @param weight             [in] may be null: not known; #V values, 0 to 1: how far the scan was
+ * seen there.
+ * @param residual           [in] may be null: zero; #V values, mm: signed distance to the scan.
+ * @param standard_deviation [in] may be null: not known; #V values, mm, >= 0: of the place, per
+ * axis.
+ * @param quality            [in] MIEN_QUALITY_*: the verdict on the fit.
+ * @param out                [out] not null; the registration, or null on failure.
+ * @param error              [out] may be null; detail_index is the first offending vertex.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MISMATCH (lengths),
+ * MIEN_E_NO_MEMORY
+ * @owner  the caller releases *out with mien_registration_release()
+ * @thread externally synchronized by session
+ * @cancel no
+ * @cost   O(#V)
+ * @since  0.2
+ */
+MIEN_API mien_status MIEN_CALL mien_registration_create(
+    mien_session* session, const mien_mesh* mesh, const mien_array_view* weight,
+    const mien_array_view* residual, const mien_array_view* standard_deviation, int32_t quality,
+    mien_registration** out, mien_error* error);
 
 /**
  * Adds a reference.

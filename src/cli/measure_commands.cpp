@@ -4,19 +4,22 @@
 #include <cmath>
 #include <cstdio>
 
-#include "commands.hpp"
+#include "report_fits.hpp"
 
 namespace mien::cli {
 namespace {
 
 struct MeasureSettings {
     Common common;
-    std::string before, after, mesh, zones, field_path, carry, stable, field = "mean", landmarks;
+    std::string before, after, before_json, after_json, mesh, zones, field_path, carry, stable,
+        field = "mean", landmarks;
     std::vector<double> direction;
     std::vector<std::string> between;
     double radius = 6;
     bool not_robust = false;
-    double sd_before = 0, sd_after = 0, correlation = 10, bias = 0, limit = 0, max_distance = 0;
+    std::optional<double> sd_before, sd_after;
+    double correlation = MeasureOptions().correlation_length_mm;
+    double bias = 0, limit = 0, max_distance = 0;
     bool surfaces = false, keep_borders = false, closed = false, close_rims = false;
 };
 
@@ -111,19 +114,57 @@ void run_scan_volume(const MeasureSettings& settings) {
     write_report(settings.common, report);
 }
 
+/// A face and, where it is known, how far it may lie off the skin at each vertex, mm.
+struct KnownFace {
+    Mesh mesh;
+    std::vector<double> sd_mm;  ///< empty: not known
+};
+
+KnownFace read_face(const Session& session, const std::string& path, const std::string& json,
+                    const std::optional<double>& sd_mm) {
+    if (!is_record(path) && json.empty()) {
+        const Mesh mesh(session, path);
+        return {mesh,
+                sd_mm ? std::vector<double>(mesh.vertex_count(), *sd_mm) : std::vector<double>()};
+    }
+    const Registration fit = read_fitted(session, {path, json}, {}).fit;
+    if (fit.verdict().quality == MIEN_QUALITY_FAILED) return {fit.mesh(), {}};
+    return {fit.mesh(), fit.field(MIEN_REGISTRATION_NORMAL_DEVIATION_MM)};
+}
+
 void run_volume(const MeasureSettings& settings) {
     if (!settings.carry.empty()) return run_scan_volume(settings);
     const Session session(settings.common.num_threads);
-    const Mesh before(session, settings.before), after(session, settings.after);
+    const KnownFace before =
+        read_face(session, settings.before, settings.before_json, settings.sd_before);
+    KnownFace after = read_face(session, settings.after, settings.after_json, settings.sd_after);
     MeasureOptions options = options_of(settings);
-    if (settings.sd_before > 0)
-        options.before_sd_mm.assign(before.vertex_count(), settings.sd_before);
-    if (settings.sd_after > 0) options.after_sd_mm.assign(before.vertex_count(), settings.sd_after);
-    const Measurement result = Measurement::volume(session, before, after, options);
+    nlohmann::json alignment;
+    if (!settings.stable.empty()) {
+        mien_zone_alignment info{};
+        after.mesh = align_on_zone(session, after.mesh, before.mesh,
+                                   zone_vertices(settings.zones, settings.stable), &info);
+        options.alignment_rotation_sd_rad = info.rotation_sd_rad;
+        options.alignment_translation_sd_mm = info.translation_sd_mm;
+        options.alignment_centre = {{info.centre[0], info.centre[1], info.centre[2]}};
+        alignment = {{"zone", settings.stable}, {"rms_mm", info.rms_mm}, {"matrix", info.matrix}};
+    }
+    // An interval from a part of the errors would promise too much.
+    const bool known = !before.sd_mm.empty() && !after.sd_mm.empty();
+    if (known) {
+        options.before_sd_mm = before.sd_mm;
+        options.after_sd_mm = after.sd_mm;
+    } else {
+        options.common_bias_mm = options.alignment_rotation_sd_rad =
+            options.alignment_translation_sd_mm = 0;
+    }
+    const Measurement result = Measurement::volume(session, before.mesh, after.mesh, options);
     print_volumes(result, options.zones);
+    if (!known) std::puts("no interval: the surfaces' errors are unknown");
     nlohmann::json report = nlohmann::json::parse(result.json());
     report["before"] = settings.before;
     report["after"] = settings.after;
+    if (!alignment.is_null()) report["alignment"] = alignment;
     write_report(settings.common, report);
 }
 
@@ -273,18 +314,25 @@ void add_pair(CLI::App& command, MeasureSettings& settings) {
         ->check(CLI::ExistingFile);
 }
 
-}  // namespace
+using SharedSettings = std::shared_ptr<MeasureSettings>;
 
-void add_measure_commands(CLI::App& app) {
-    CLI::App* measure = app.add_subcommand("measure", "volumes, areas and distances");
-    measure->require_subcommand(1);
-
-    auto settings = std::make_shared<MeasureSettings>();
+void add_volume(CLI::App* measure, const SharedSettings& settings) {
     CLI::App* volume =
         measure->add_subcommand("volume", "volume between two faces in correspondence");
     add_pair(*volume, *settings);
-    volume->add_option("--sd-before", settings->sd_before, "deviation of the first surface, mm");
-    volume->add_option("--sd-after", settings->sd_after, "deviation of the second surface, mm");
+    volume
+        ->add_option("--before-json", settings->before_json,
+                     "what `mien register --json` wrote of the first face: tells its errors")
+        ->check(CLI::ExistingFile);
+    volume
+        ->add_option("--after-json", settings->after_json,
+                     "the same of the second face; records of `mien register --record` as --before "
+                     "and --after tell them too")
+        ->check(CLI::ExistingFile);
+    volume->add_option("--sd-before", settings->sd_before,
+                       "of a bare mesh: deviation of the first surface, mm; 0: exact");
+    volume->add_option("--sd-after", settings->sd_after,
+                       "of a bare mesh: deviation of the second surface, mm; 0: exact");
     volume
         ->add_option("--correlation", settings->correlation,
                      "length over which errors go together, mm")
@@ -298,14 +346,17 @@ void add_measure_commands(CLI::App& app) {
     volume->add_option("--direction", settings->direction, "with --surfaces direction: x y z")
         ->expected(3);
     volume->add_option("--stable", settings->stable,
-                       "with --surfaces: first align the second face on this zone of the first");
+                       "first align the second face on this zone of the first; without --surfaces "
+                       "several may be named, separated by commas");
     volume->add_option("--max-distance", settings->max_distance,
                        "with --surfaces: farther places count for nothing, mm; default 20");
     add_common_options(*volume, settings->common);
     volume->footer(
         "Example: mien measure volume --before before.ply --after after.ply --zones zones.json");
     volume->callback([settings] { run_volume(*settings); });
+}
 
+void add_distance(CLI::App* measure, const SharedSettings& settings) {
     CLI::App* distance = measure->add_subcommand("distance", "distances between two faces");
     add_pair(*distance, *settings);
     distance->add_flag("--surfaces", settings->surfaces,
@@ -320,7 +371,9 @@ void add_measure_commands(CLI::App& app) {
     distance->footer(
         "Example: mien measure distance --before fitted.ply --after scan.ply --surfaces");
     distance->callback([settings] { run_distance(*settings); });
+}
 
+void add_area(CLI::App* measure, const SharedSettings& settings) {
     CLI::App* area =
         measure->add_subcommand("area", "surface area, and the volume a mesh encloses");
     area->add_option("mesh", settings->mesh, "mesh file")->check(CLI::ExistingFile);
@@ -334,7 +387,9 @@ void add_measure_commands(CLI::App& app) {
     add_common_options(*area, settings->common);
     area->footer("Example: mien measure area face.ply --zones zones.json");
     area->callback([settings] { run_area(*settings); });
+}
 
+void add_curvature(CLI::App* measure, const SharedSettings& settings) {
     CLI::App* curvature =
         measure->add_subcommand("curvature", "mean, Gaussian and principal curvatures");
     curvature->add_option("mesh", settings->mesh, "mesh file")
@@ -351,7 +406,9 @@ void add_measure_commands(CLI::App& app) {
     curvature->footer(
         "Example: mien measure curvature fitted.ply --zones zones.json --field mean.txt");
     curvature->callback([settings] { run_curvature(*settings); });
+}
 
+void add_length(CLI::App* measure, const SharedSettings& settings) {
     CLI::App* length =
         measure->add_subcommand("length", "lengths between landmarks, straight and along the skin");
     length->add_option("mesh", settings->mesh, "mesh in the template's topology")
@@ -368,6 +425,19 @@ void add_measure_commands(CLI::App& app) {
         "Example: mien measure length fitted.ply --landmarks landmarks.json --between "
         "pronasale,gnathion");
     length->callback([settings] { run_length(*settings); });
+}
+
+}  // namespace
+
+void add_measure_commands(CLI::App& app) {
+    CLI::App* measure = app.add_subcommand("measure", "volumes, areas and distances");
+    measure->require_subcommand(1);
+    const auto settings = std::make_shared<MeasureSettings>();
+    add_volume(measure, settings);
+    add_distance(measure, settings);
+    add_area(measure, settings);
+    add_curvature(measure, settings);
+    add_length(measure, settings);
 }
 
 }  // namespace mien::cli

@@ -7,7 +7,7 @@ namespace mien::cli {
 namespace {
 
 struct RegisterArguments {
-    std::string model, scan, landmarks, weights = "none", growth = "constant", out, heatmap;
+    std::string model, scan, landmarks, weights = "none", growth = "constant", out, heatmap, record;
     double landmark_sigma = 2;
     std::string units = "detect", start = "automatic";
     int max_modes = -1, max_pca_modes = -1, iterations = 0;
@@ -69,6 +69,7 @@ void run_register(const RegisterArguments& arguments) {
         report["standard_deviation_mm"] = fit.field(MIEN_REGISTRATION_STANDARD_DEVIATION_MM);
     }
     write_report(arguments.common, report);
+    if (!arguments.record.empty()) fit.save(session, arguments.record);
     if (!arguments.heatmap.empty()) write_heatmap(arguments.heatmap, fit);
     std::string line = "quality " + report["quality"].get<std::string>();
     for (const auto& reason : report["reasons"]) line += "; " + reason.get<std::string>();
@@ -164,6 +165,9 @@ void add_registration_commands(CLI::App& app) {
     command->add_flag("--no-colors", arguments->no_colors,
                       "go by the form alone, not by lips and brows");
     command->add_option("--out", arguments->out, "fitted template")->required();
+    command->add_option("--record", arguments->record,
+                        "keep the fit with its errors as a safetensors file, which report and "
+                        "measure volume read in place of a mesh");
     command->add_option("--heatmap", arguments->heatmap, "PNG of the distance to the scan");
     add_common_options(*command, arguments->common);
     command->footer(

@@ -1,14 +1,14 @@
 // mien report: a patient's visits -> registration, neutralization, alignment on a stable zone,
-// volumes per zone over time, as JSON and as one HTML page.
+// volumes per zone over time, as a table, as JSON and as one HTML page. The numbers are those of
+// mien_study_create(); here they are arranged.
 //
-// A folder of visits holds one entry per visit, taken in the order of their names: a mesh file, or
-// a folder with one or more captures (mesh files) of that visit; landmarks lie beside a mesh as
-// NAME.json or landmarks.json. The first capture of a visit is measured; the others say how
-// repeatable it is.
+// A folder of visits holds one entry per visit, taken in the order of their names: a mesh file, a
+// record of `mien register --record`, or a folder with one or more captures of that visit;
+// landmarks lie beside a mesh as NAME.json or landmarks.json. The first capture of a visit is
+// measured; the others say how repeatable it is.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <iterator>
 
 #include "render.hpp"
 #include "report_fits.hpp"
@@ -17,7 +17,14 @@
 namespace mien::cli {
 namespace {
 
-constexpr const char* kStable = "forehead,nose";
+struct ReportSettings {
+    Common common;
+    std::string visits, model, expressions, zones, stable, out, title = "Volume over time";
+    std::vector<std::string> shown, treated;
+    bool fitted = false;
+    std::optional<double> sd;
+    mien_study_options study = StudyOptions().c;
+};
 
 std::vector<std::string> split(const std::string& names) {
     std::vector<std::string> parts;
@@ -52,263 +59,260 @@ Image draw_difference(const MeshArrays& face, const std::vector<double>& signed_
     return render_mesh(face, options);
 }
 
-/// One zone's change with what its deviation is made of, mL.
-struct ZoneChange {
-    double signed_ml = 0, absolute_ml = 0, sd_ml = 0;
-    double surface_ml = 0, alignment_ml = 0, bias_ml = 0, expression_ml = 0, removed_ml = 0;
-    double low95_ml() const { return signed_ml - 1.959963984540054 * sd_ml; }
-    double high95_ml() const { return signed_ml + 1.959963984540054 * sd_ml; }
+/// Everything that was measured, and which of its zones are shown.
+struct Measured {
+    std::vector<Visit> visits;
+    std::vector<Fitted> fits;           ///< all captures
+    std::vector<std::size_t> first_of;  ///< the capture of each visit that is measured
+    std::unique_ptr<Study> study;
+    std::vector<std::int32_t> zones;  ///< of the study, in the order of the tables
+    nlohmann::json told;              ///< by the study
+    const nlohmann::json& recipe() const { return told["recipe"]; }
+    /// Why a zone's change has no interval; empty: it has one.
+    std::string unknown(std::size_t visit, std::int32_t zone) const {
+        const nlohmann::json& reason =
+            told["visits"][visit]["changes_since_first"][static_cast<std::size_t>(zone)]["unknown"];
+        return reason.is_null() ? std::string() : reason.get<std::string>();
+    }
 };
 
-struct Pair {
-    std::vector<ZoneChange> changes;  ///< one per zone
-    Measurement distance;
-    mien_zone_alignment alignment;
-    Mesh aligned;
-};
-
-/// first, second: captures in the order of `visits`, which may be null.
-Pair compare(const Session& session, const ReportSettings& settings,
-             const std::vector<Fitted>& fits, std::size_t first, std::size_t second,
-             const Visits* visits, const std::vector<MeasureZone>& zones,
-             const std::vector<std::uint32_t>& stable) {
-    mien_zone_alignment info{};
-    Mesh aligned = align_on_zone(session, fits[second].mesh, fits[first].mesh, stable, &info);
-    MeasureOptions options;
-    options.zones = zones;
-    options.before_sd_mm = fits[first].sd;
-    options.after_sd_mm = fits[second].sd;
-    options.correlation_length_mm = settings.correlation;
-    options.alignment_rotation_sd_rad = info.rotation_sd_rad;
-    options.alignment_translation_sd_mm = info.translation_sd_mm;
-    options.alignment_centre = {{info.centre[0], info.centre[1], info.centre[2]}};
-    options.common_bias_mm = settings.bias;
-    const Measurement volume = Measurement::volume(session, fits[first].mesh, aligned, options);
-    const nlohmann::json parts = nlohmann::json::parse(volume.json())["volume"]["zones"];
-    std::vector<ZoneChange> changes;
-    for (std::size_t z = 0; z < zones.size(); ++z) {
-        const mien_zone_volume measured = volume.zone_volume(static_cast<std::int32_t>(z));
-        ZoneChange change{measured.signed_ml, measured.absolute_ml, measured.sd_ml};
-        change.surface_ml = parts[z]["sd_parts_ml"]["surface"];
-        change.alignment_ml = parts[z]["sd_parts_ml"]["alignment"];
-        change.bias_ml = parts[z]["sd_parts_ml"]["bias"];
-        if (visits != nullptr) {
-            const RemovedVolume removed = visits->removed_volume(
-                static_cast<std::int32_t>(first), static_cast<std::int32_t>(second), zones[z]);
-            // No training set holds every way of smiling: a share of what was taken off stays open
-            // beside the posterior.
-            change.expression_ml =
-                std::hypot(settings.posterior * removed.sd_ml, settings.share * removed.removed_ml);
-            change.removed_ml = removed.removed_ml;
-            change.sd_ml = std::hypot(change.sd_ml, change.expression_ml);
-        }
-        changes.push_back(change);
+/// The zones asked for, or all, then the treated ones with their margin.
+std::vector<std::int32_t> shown_zones(const Study& study, const ReportSettings& settings,
+                                      std::size_t num_zones) {
+    std::vector<std::int32_t> shown;
+    for (const std::string& name : settings.shown) {
+        std::int32_t zone = 0;
+        while (zone < static_cast<std::int32_t>(num_zones) && study.zone_name(zone) != name) ++zone;
+        if (zone == static_cast<std::int32_t>(num_zones))
+            throw std::runtime_error("no zone is called '" + name + "', which is to be shown");
+        shown.push_back(zone);
     }
-    options.zones.clear();
-    return {changes, Measurement::distance(session, fits[first].mesh, aligned, options), info,
-            aligned};
+    const std::int32_t begin = shown.empty() ? 0 : static_cast<std::int32_t>(num_zones);
+    for (std::int32_t zone = begin; zone < study.zone_count(); ++zone) shown.push_back(zone);
+    return shown;
 }
 
-const MeasureZone& find_zone(const ReportSettings& settings, const std::vector<MeasureZone>& zones,
-                             const std::string& name) {
-    for (const MeasureZone& zone : zones)
-        if (zone.name == name) return zone;
-    throw std::runtime_error(settings.zones + ": has no zone '" + name + "'");
-}
-
-/// By default, all that was not treated once a treatment is named and expressions are taken off:
-/// the farther the aligned skin reaches, the less a face can tilt. Otherwise what an expression
-/// moves least.
-bool stable_is_untreated(const ReportSettings& settings) {
-    return settings.stable.empty() && !settings.treated.empty() && !settings.expressions.empty();
-}
-
-std::vector<std::uint32_t> stable_vertices(const ReportSettings& settings,
-                                           const std::vector<MeasureZone>& zones,
-                                           const std::vector<std::uint32_t>& treated) {
-    std::vector<std::uint32_t> stable;
-    if (stable_is_untreated(settings)) {
-        for (const MeasureZone& zone : zones)
-            stable.insert(stable.end(), zone.vertices.begin(), zone.vertices.end());
-        std::sort(stable.begin(), stable.end());
-        stable.erase(std::unique(stable.begin(), stable.end()), stable.end());
-        std::vector<std::uint32_t> sorted(treated), rest;
-        std::sort(sorted.begin(), sorted.end());
-        std::set_difference(stable.begin(), stable.end(), sorted.begin(), sorted.end(),
-                            std::back_inserter(rest));
-        return rest;
-    }
-    for (const std::string& name : split(settings.stable.empty() ? kStable : settings.stable)) {
-        const auto& vertices = find_zone(settings, zones, name).vertices;
-        stable.insert(stable.end(), vertices.begin(), vertices.end());
-    }
-    return stable;
-}
-
-void run_report(const ReportSettings& settings) {
-    if (!settings.fitted && settings.model.empty())
-        throw CLI::RequiredError("--model (or --fitted for meshes that are fitted already)");
-    const std::vector<Visit> visits = find_visits(settings.visits);
-    std::vector<MeasureZone> all_zones, zones;
-    for (auto& [name, vertices] : read_zones(settings.zones))
-        all_zones.push_back({name, std::move(vertices)});
-    auto zone_called = [&](const std::string& name) -> const MeasureZone& {
-        return find_zone(settings, all_zones, name);
-    };
-    std::vector<std::uint32_t> treated;
-    for (const std::string& name : settings.treated) {
-        const auto& vertices = zone_called(name).vertices;
-        treated.insert(treated.end(), vertices.begin(), vertices.end());
-    }
-    if (settings.shown.empty()) zones = all_zones;
-    for (const std::string& name : settings.shown) zones.push_back(zone_called(name));
-
-    const Session session(settings.common.num_threads);
+Measured measure(const Session& session, const ReportSettings& settings) {
+    Measured result;
+    result.visits = find_visits(settings.visits);
     std::unique_ptr<Model> model;
     std::unique_ptr<ExpressionModel> expressions;
     if (!settings.model.empty()) model = std::make_unique<Model>(session, settings.model);
     if (!settings.expressions.empty())
         expressions = std::make_unique<ExpressionModel>(session, settings.expressions);
+    StudyOptions options;
+    options.c = settings.study;
+    if (settings.sd) options.c.noise_mm = *settings.sd;
+    if (!settings.zones.empty())
+        for (auto& [name, vertices] : read_zones(settings.zones))
+            options.zones.push_back({name, std::move(vertices)});
+    options.treated = settings.treated;
+    options.stable = split(settings.stable);
+    options.progress = progress_bar();
+    std::vector<Registration> registrations;
+    for (const Visit& visit : result.visits) {
+        result.first_of.push_back(result.fits.size());
+        for (const Capture& capture : visit.captures) {
+            result.fits.push_back(settings.fitted ? read_fitted(session, capture, settings.sd)
+                                                  : fit_scan(session, *model, capture));
+            registrations.push_back(result.fits.back().fit);
+            options.visits.push_back(static_cast<std::int32_t>(result.first_of.size()) - 1);
+        }
+    }
+    result.study = std::make_unique<Study>(session, registrations, expressions.get(), options);
+    if (result.study->zone_count() == 0)
+        throw CLI::RequiredError("--zones (the fits know of no zone)");
+    // Every treated zone stands a second time at the end, unless it has no margin.
+    const std::size_t around = options.c.margin_mm > 0 ? settings.treated.size() : 0;
+    result.zones = shown_zones(*result.study, settings,
+                               static_cast<std::size_t>(result.study->zone_count()) - around);
+    result.told = nlohmann::json::parse(result.study->json());
+    return result;
+}
 
-    std::vector<Fitted> fits;           // all captures
-    std::vector<std::size_t> first_of;  // the capture of each visit that is measured
-    for (const Visit& visit : visits) {
-        first_of.push_back(fits.size());
-        for (const Capture& capture : visit.captures)
-            fits.push_back(fit_capture(session, settings, model.get(), capture));
-    }
-    // A treatment does not end where its zone does: what lies beside it is no witness either.
-    if (!treated.empty()) treated = with_margin(fits[0].mesh, treated, settings.margin);
-    if (settings.margin > 0)
-        for (const std::string& name : settings.treated)
-            zones.push_back(
-                {name + " and " + short_number(settings.margin) + " mm around",
-                 with_margin(fits[0].mesh, zone_called(name).vertices, settings.margin)});
-    const std::vector<std::uint32_t> stable = stable_vertices(settings, all_zones, treated);
-    std::unique_ptr<Visits> neutral;
-    if (expressions) neutral = neutralize_all(session, *expressions, treated, fits);
-    // The same visit captured twice has no change in it: blanks, both ways.
-    std::vector<std::vector<double>> blanks(zones.size());
-    for (std::size_t k = 0; k < visits.size(); ++k) {
-        const std::size_t end = first_of[k] + visits[k].captures.size();
-        for (std::size_t a = first_of[k]; a < end; ++a)
-            for (std::size_t b = a + 1; b < end; ++b) {
-                const Pair pair =
-                    compare(session, settings, fits, a, b, neutral.get(), zones, stable);
-                for (std::size_t z = 0; z < zones.size(); ++z)
-                    blanks[z].push_back(pair.changes[z].signed_ml);
-            }
-    }
+nlohmann::json number(double value) {
+    return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
+}
 
-    ReportPage page;
-    page.title = settings.title;
-    const MeshArrays framing = arrays_of(fits[0].mesh);
-    std::vector<Pair> pairs;
-    for (std::size_t k = 1; k < visits.size(); ++k)
-        pairs.push_back(
-            compare(session, settings, fits, 0, first_of[k], neutral.get(), zones, stable));
-    double range = 0.5;
-    for (const Pair& pair : pairs)
-        range = std::max(range, pair.distance.zone_distance(MIEN_ZONE_WHOLE).p95_length_mm);
-    range = std::min(range, 10.0);
-    for (std::size_t z = 0; z < zones.size(); ++z) {
-        page.zones.push_back(zones[z].name);
+nlohmann::json zone_entry(const std::string& name, const mien_study_change& v) {
+    nlohmann::json entry{{"name", name},
+                         {"signed_ml", number(v.signed_ml.value)},
+                         {"absolute_ml", number(v.absolute_ml.value)},
+                         {"sd_ml", number(v.signed_ml.sd)},
+                         {"sd_parts_ml",
+                          {{"surface", number(v.surface_sd_ml)},
+                           {"alignment", number(v.alignment_sd_ml)},
+                           {"bias", number(v.bias_sd_ml)},
+                           {"expression", number(v.expression_sd_ml)}}},
+                         {"expression_removed_ml", v.expression_removed_ml},
+                         {"low95_ml", number(v.signed_ml.low)},
+                         {"high95_ml", number(v.signed_ml.high)},
+                         {"limit_of_detection_ml", number(v.signed_ml.limit_of_detection)},
+                         {"seen_share", number(v.seen_share)}};
+    entry["below_limit_of_detection"] =
+        v.detected < 0 ? nlohmann::json() : nlohmann::json(v.detected == 0);
+    const struct {
+        const char* name;
+        const mien_study_value& value;
+    } others[] = {{"gained_ml", v.gained_ml},
+                  {"lost_ml", v.lost_ml},
+                  {"absolute_ml", v.absolute_ml},
+                  {"area_change_mm2", v.area_change_mm2},
+                  {"mean_distance_mm", v.mean_distance_mm}};
+    for (const auto& other : others)
+        entry["more"][other.name] = {
+            {"value", number(other.value.value)},
+            {"sd", number(other.value.sd)},
+            {"low95", number(other.value.low)},
+            {"high95", number(other.value.high)},
+            {"limit_of_detection", number(other.value.limit_of_detection)}};
+    return entry;
+}
+
+ReportVolume page_volume(const mien_study_change& v, const std::string& unknown) {
+    return {v.signed_ml.value,   v.signed_ml.sd,
+            v.signed_ml.low,     v.signed_ml.high,
+            v.absolute_ml.value, v.signed_ml.limit_of_detection,
+            v.detected == 0,     unknown};
+}
+
+std::string expression_in_words(const std::string& name) {
+    return name.empty() || name == "neutral" ? "; no expression"
+           : name == "any"                   ? "; an expression without a name taken off"
+                                             : "; expression taken off: " + name;
+}
+
+std::vector<std::string> notes_of(const ReportSettings& settings, const Measured& m) {
+    std::string stable;
+    for (const auto& name : m.recipe()["stable"])
+        stable += (stable.empty() ? "" : ",") + name.get<std::string>();
+    if (m.recipe()["stable_is_untreated"])
+        stable = "all zones but the treated ones and " + short_number(m.recipe()["margin_mm"]) +
+                 " mm around them";
+    const int blanks = m.recipe()["blanks"];
+    return {
+        settings.fitted ? "Faces were fitted beforehand."
+                        : "Each scan was registered with the template of " + settings.model + ".",
+        m.recipe()["expressions_removed"]
+            ? "Expressions were removed with " + settings.expressions +
+                  ", from all captures together; what that leaves open widens the intervals: the "
+                  "fit's posterior and " +
+                  short_number(100 * m.recipe()["untrained_share"].get<double>()) +
+                  " % of the volume that an expression accounted for."
+            : "Expressions were not removed: the intervals hold for faces that are held alike.",
+        "Faces were aligned on: " + (stable.empty() ? std::string("the whole face") : stable) + ".",
+        "Volumes are exact between corresponding triangles; zones share their edge triangles "
+        "linearly.",
+        "Intervals combine the deviations of both fits, alike over " +
+            short_number(m.recipe()["correlation_length_mm"]) +
+            " mm, the alignment's and a common bias of " +
+            short_number(m.recipe()["common_bias_mm"]) +
+            " mm. Where the errors of a fit are not known, or too little of a zone was seen, none "
+            "is "
+            "given.",
+        blanks >= 2
+            ? "Limits of detection come from " + std::to_string(blanks) +
+                  " pairs of captures of the same visit."
+            : "Limits of detection are propagated from the deviations: no visit was captured often "
+              "enough to measure them."};
+}
+
+/// Faces and differences of the visits, drawn alike.
+struct Pictures {
+    Pictures(const Session& session, const Measured& m)
+        : framing(arrays_of(m.fits[0].fit.mesh())), range(0.5) {
+        const Mesh first = m.study->neutral(0);
+        faces.push_back(first);
+        differences.emplace_back();
+        for (std::int32_t k = 1; k < m.study->visit_count(); ++k) {
+            faces.push_back(m.study->neutral(k, 0));
+            const Measurement distance = Measurement::distance(session, first, faces.back());
+            differences.push_back(distance.field(MIEN_FIELD_SIGNED_DISTANCE_MM));
+            range = std::max(range, distance.zone_distance(MIEN_ZONE_WHOLE).p95_length_mm);
+        }
+        range = std::min(range, 10.0);
     }
-    // Blank's bound and detection, 1.645 deviations each, where repeated captures do not tell.
-    auto limit_ml = [&](std::size_t zone, const ZoneChange& change) {
-        if (blanks[zone].size() < 2) return 2 * 1.6448536269514722 * change.sd_ml;
-        return nlohmann::json::parse(
-                   repeatability(session, {}, {}, blanks[zone]))["limit_of_detection"]
-            .get<double>();
-    };
+    MeshArrays framing;
+    double range;  ///< of the colours, mm
+    std::vector<Mesh> faces;
+    std::vector<std::vector<double>> differences;
+};
+
+void print_table(const Measured& m) {
+    for (std::int32_t k = 1; k < m.study->visit_count(); ++k)
+        for (const std::int32_t zone : m.zones) {
+            const mien_study_value v = m.study->change(0, k, zone).signed_ml;
+            std::printf("%d %-24s %11.6f %11.6f %11.6f %11.6f\n", static_cast<int>(k),
+                        m.study->zone_name(zone).c_str(), v.value, v.low, v.high,
+                        v.limit_of_detection);
+        }
+}
+
+/// The report as JSON, and the page's visits beside it.
+nlohmann::json describe(const Session& session, const ReportSettings& settings, const Measured& m,
+                        ReportPage& page) {
     nlohmann::json report{
         {"title", settings.title}, {"unit", "mL"}, {"visits", nlohmann::json::array()}};
-    for (std::size_t k = 0; k < visits.size(); ++k) {
+    const Pictures pictures(session, m);
+    for (std::size_t k = 0; k < m.visits.size(); ++k) {
+        const auto number_of = static_cast<std::int32_t>(k);
+        const Fitted& fit = m.fits[m.first_of[k]];
         ReportVisit visit;
-        visit.name = visits[k].name;
-        const Fitted& fit = fits[first_of[k]];
+        visit.name = m.visits[k].name;
         visit.good = fit.good;
         visit.verdict = fit.verdict;
         nlohmann::json entry{{"name", visit.name},
-                             {"scan", visits[k].captures[0].mesh},
-                             {"captures", visits[k].captures.size()},
+                             {"scan", m.visits[k].captures[0].mesh},
+                             {"captures", m.visits[k].captures.size()},
                              {"registration", fit.report}};
-        if (neutral)
-            entry["expression"] = neutral->expression(static_cast<std::int32_t>(first_of[k]));
-        const MeshArrays face = arrays_of(k == 0 ? fit.mesh : pairs[k - 1].aligned);
-        visit.face = draw_face(face, framing);
+        if (m.recipe()["expressions_removed"]) {
+            entry["expression"] = m.study->expression(number_of);
+            visit.verdict += expression_in_words(m.study->expression(number_of));
+        }
+        const MeshArrays face = arrays_of(pictures.faces[k]);
+        visit.face = draw_face(face, pictures.framing);
         if (k > 0) {
-            const Pair& pair = pairs[k - 1];
+            const double rms_mm = m.study->alignment(0, number_of).rms_mm;
             char text[120];
-            std::snprintf(text, sizeof text, "; stable zone %.2f mm apart after alignment",
-                          pair.alignment.rms_mm);
+            std::snprintf(text, sizeof text, "; stable zone %.2f mm apart after alignment", rms_mm);
             visit.verdict += text;
-            visit.difference = draw_difference(
-                face, pair.distance.field(MIEN_FIELD_SIGNED_DISTANCE_MM), framing, range);
-            entry["alignment_rms_mm"] = pair.alignment.rms_mm;
+            visit.difference =
+                draw_difference(face, pictures.differences[k], pictures.framing, pictures.range);
+            entry["alignment_rms_mm"] = rms_mm;
             entry["zones"] = nlohmann::json::array();
-            for (std::size_t z = 0; z < zones.size(); ++z) {
-                const ZoneChange& v = pair.changes[z];
-                const double limit = limit_ml(z, v);
-                ReportVolume volume{v.signed_ml,
-                                    v.sd_ml,
-                                    v.low95_ml(),
-                                    v.high95_ml(),
-                                    v.absolute_ml,
-                                    limit,
-                                    std::fabs(v.signed_ml) < limit};
-                visit.volumes.push_back(volume);
-                entry["zones"].push_back({{"name", zones[z].name},
-                                          {"signed_ml", v.signed_ml},
-                                          {"absolute_ml", v.absolute_ml},
-                                          {"sd_ml", v.sd_ml},
-                                          {"sd_parts_ml",
-                                           {{"surface", v.surface_ml},
-                                            {"alignment", v.alignment_ml},
-                                            {"bias", v.bias_ml},
-                                            {"expression", v.expression_ml}}},
-                                          {"expression_removed_ml", v.removed_ml},
-                                          {"low95_ml", v.low95_ml()},
-                                          {"high95_ml", v.high95_ml()},
-                                          {"limit_of_detection_ml", limit},
-                                          {"below_limit_of_detection", volume.below_limit}});
+            for (const std::int32_t zone : m.zones) {
+                const mien_study_change change = m.study->change(0, number_of, zone);
+                visit.volumes.push_back(page_volume(change, m.unknown(k, zone)));
+                entry["zones"].push_back(zone_entry(m.study->zone_name(zone), change));
+                entry["zones"].back()["unknown"] = m.unknown(k, zone);
             }
         }
         page.visits.push_back(std::move(visit));
         report["visits"].push_back(entry);
     }
-    page.notes = {
-        settings.fitted ? "Faces were fitted beforehand."
-                        : "Each scan was registered with the template of " + settings.model + ".",
-        expressions
-            ? "Expressions were removed with " + settings.expressions +
-                  ", from all captures together; what that leaves "
-                  "open widens the intervals: the fit's posterior and " +
-                  short_number(100 * settings.share) +
-                  " % of the volume that an expression accounted for."
-            : "Expressions were not removed: the intervals hold for faces that are held alike.",
-        std::string("Faces were aligned on: ") +
-            (stable_is_untreated(settings) ? "all zones but the treated ones and " +
-                                                 short_number(settings.margin) + " mm around them"
-             : settings.stable.empty() ? std::string(kStable)
-                                       : settings.stable) +
-            ".",
-        "Volumes are exact between corresponding triangles; zones share their edge triangles "
-        "linearly.",
-        "Intervals combine the deviations of both fits, alike over " +
-            short_number(settings.correlation) + " mm, the alignment's and a common bias of " +
-            short_number(settings.bias) + " mm.",
-        !blanks.empty() && blanks[0].size() >= 2
-            ? "Limits of detection come from " + std::to_string(blanks[0].size()) +
-                  " pairs of captures of the same visit."
-            : "Limits of detection are propagated (3.29 deviations): no visit was captured often "
-              "enough to measure them."};
+    return report;
+}
+
+void run_report(const ReportSettings& settings) {
+    if (!settings.fitted && settings.model.empty())
+        throw CLI::RequiredError("--model (or --fitted for meshes that are fitted already)");
+    const Session session(settings.common.num_threads);
+    const Measured measured = measure(session, settings);
+    ReportPage page;
+    page.title = settings.title;
+    for (const std::int32_t zone : measured.zones)
+        page.zones.push_back(measured.study->zone_name(zone));
+    nlohmann::json report = describe(session, settings, measured, page);
+    page.notes = notes_of(settings, measured);
     report["notes"] = page.notes;
+    report["study"] = measured.told;
     const std::string html = report_html(page);
     write_file(settings.out, html);
     write_report(settings.common, report);
-    std::printf("%s: %zu visits, %zu zones, %.0f kB\n", settings.out.c_str(), visits.size(),
-                zones.size(), static_cast<double>(html.size()) / 1000);
+    print_table(measured);
+    std::printf("%s: %zu visits, %zu zones, %.0f kB\n", settings.out.c_str(),
+                measured.visits.size(), measured.zones.size(),
+                static_cast<double>(html.size()) / 1000);
 }
 
 }  // namespace
@@ -323,18 +327,19 @@ void add_report_commands(CLI::App& app) {
         ->required();
     command->add_option("--model", settings->model, "deformation model, to register the scans");
     command->add_flag("--fitted", settings->fitted, "the meshes are fitted templates already");
-    command->add_option("--sd", settings->sd, "deviation of a fitted surface along its normal, mm")
-        ->capture_default_str();
+    command->add_option("--sd", settings->sd,
+                        "deviation of a fitted surface along its normal where it was seen, mm; "
+                        "default: 0.08 for fits with a record or JSON, not known for bare meshes");
     command->add_option("--expressions", settings->expressions,
                         "expression model, to neutralize the faces");
-    command->add_option("--zones", settings->zones, "zone file")->required();
+    command->add_option("--zones", settings->zones, "zone file; default: the zones of the model");
     command->add_option("--show", settings->shown, "zones to report; default: all")->delimiter(',');
     command
         ->add_option("--treated", settings->treated,
                      "zones where the person may have changed: no witness of the expression")
         ->delimiter(',');
     command
-        ->add_option("--margin", settings->margin,
+        ->add_option("--margin", settings->study.margin_mm,
                      "mm around the treated zones that are no witness either, and are reported "
                      "with them: treatments spread")
         ->check(CLI::Range(0.0, 100.0))
@@ -343,14 +348,15 @@ void add_report_commands(CLI::App& app) {
                         "zones to align on; default: forehead,nose, and with --expressions and "
                         "--treated all that was not treated");
     command
-        ->add_option("--correlation", settings->correlation,
+        ->add_option("--correlation", settings->study.correlation_length_mm,
                      "length over which errors go together, mm")
         ->capture_default_str();
-    command->add_option("--bias", settings->bias, "error common to all vertices, mm")
+    command
+        ->add_option("--bias", settings->study.common_bias_mm, "error common to all vertices, mm")
         ->capture_default_str();
     command
         ->add_option(
-            "--expression-share", settings->share,
+            "--expression-share", settings->study.untrained_share,
             "of the volume that an expression accounted for: what no training set knew of it")
         ->capture_default_str();
     command->add_option("--title", settings->title)->capture_default_str();

@@ -1,7 +1,6 @@
 #include "report_fits.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 
@@ -10,13 +9,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// By the library's own table of formats.
-bool is_mesh(const fs::path& path) {
+std::string extension_of(const fs::path& path) {
     std::string extension = path.extension().u8string();
     for (char& c : extension) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+    return extension;
+}
+
+/// A mesh, by the library's own table of formats, or a record of a fit.
+bool is_capture(const fs::path& path) {
+    const std::string extension = extension_of(path);
     for (std::uint32_t k = 0; k < mien_mesh_format_count(); ++k)
         if (extension == std::string(".") + mien_mesh_format_extension(k)) return true;
-    return false;
+    return extension == ".safetensors";
+}
+
+/// A record beside a mesh of the same name holds that mesh: taken both, one fit would be two
+/// captures.
+bool has_record(const fs::path& mesh) {
+    fs::path record = mesh;
+    record.replace_extension(".safetensors");
+    return extension_of(mesh) != ".safetensors" && fs::exists(record);
 }
 
 Capture capture_of(const fs::path& mesh, bool own_folder) {
@@ -37,16 +49,6 @@ std::vector<fs::path> sorted_entries(const fs::path& folder) {
     return entries;
 }
 
-/// How far a fit may lie off the skin along the normal: where the scan is, the residual over the
-/// scanner's noise; where it is not, what the model leaves open.
-std::vector<double> normal_deviation(std::vector<double> sd, const std::vector<double>& weight,
-                                     const std::vector<double>& residual, double noise_mm) {
-    for (std::size_t v = 0; v < sd.size(); ++v)
-        sd[v] = weight[v] * std::min(std::hypot(noise_mm, residual[v]), sd[v]) +
-                (1 - weight[v]) * sd[v];
-    return sd;
-}
-
 std::vector<double> values_of(const nlohmann::json& file, const std::string& path, const char* key,
                               std::size_t count) {
     if (!file.contains(key) || !file[key].is_array() || file[key].size() != count)
@@ -61,25 +63,28 @@ std::vector<double> values_of(const nlohmann::json& file, const std::string& pat
     return values;
 }
 
-/// A mesh that was fitted beforehand, with what `mien register --json` wrote beside it, if
-/// anything.
-Fitted read_fitted(const Session& session, const ReportSettings& settings, const Capture& capture) {
-    Fitted fitted{Mesh(session, capture.mesh), {}, {}, "fitted beforehand", true, {}};
-    const std::size_t count = fitted.mesh.vertex_count();
-    fitted.sd.assign(count, settings.sd);
-    fitted.weight.assign(count, 1.0);
-    if (capture.landmarks.empty()) return fitted;
-    const nlohmann::json file = read_json(capture.landmarks);
-    if (!file.is_object() || !file.contains("weight")) return fitted;
-    fitted.weight = values_of(file, capture.landmarks, "weight", count);
-    fitted.sd = normal_deviation(
-        values_of(file, capture.landmarks, "standard_deviation_mm", count), fitted.weight,
-        values_of(file, capture.landmarks, "residual_mm", count), settings.sd);
-    if (file.contains("quality") && file["quality"].is_string()) {
-        fitted.good = file["quality"] == "good";
-        fitted.verdict += ", fit " + file["quality"].get<std::string>();
-    }
-    return fitted;
+std::string in_words(const Registration& fit) {
+    const mien_fit_verdict verdict = fit.verdict();
+    char text[160];
+    std::snprintf(text, sizeof text, "fit %s: %.2f mm from the scan, %.0f %% of the face seen",
+                  verdict.quality == MIEN_QUALITY_GOOD       ? "good"
+                  : verdict.quality == MIEN_QUALITY_DOUBTFUL ? "doubtful"
+                                                             : "failed",
+                  verdict.mean_residual_mm, 100 * verdict.coverage);
+    return text;
+}
+
+Fitted described(Registration fit) {
+    const std::string verdict = in_words(fit);
+    const bool good = fit.verdict().quality == MIEN_QUALITY_GOOD;
+    nlohmann::json report = nlohmann::json::parse(fit.json());
+    return {std::move(fit), verdict, good, std::move(report)};
+}
+
+std::int32_t quality_called(const std::string& name) {
+    return name == "good"       ? MIEN_QUALITY_GOOD
+           : name == "doubtful" ? MIEN_QUALITY_DOUBTFUL
+                                : MIEN_QUALITY_FAILED;
 }
 
 }  // namespace
@@ -93,86 +98,56 @@ std::vector<Visit> find_visits(const std::string& folder) {
         if (fs::is_directory(entry)) {
             visit.name = entry.filename().u8string();
             for (const fs::path& mesh : sorted_entries(entry))
-                if (is_mesh(mesh)) visit.captures.push_back(capture_of(mesh, true));
-        } else if (is_mesh(entry)) {
+                if (is_capture(mesh) && !has_record(mesh))
+                    visit.captures.push_back(capture_of(mesh, true));
+        } else if (is_capture(entry) && !has_record(entry)) {
             visit.captures.push_back(capture_of(entry, false));
         }
         if (!visit.captures.empty()) visits.push_back(visit);
     }
     if (visits.size() < 2)
         throw std::runtime_error(
-            folder + ": needs at least two visits (mesh files or folders with mesh files)");
+            folder +
+            ": needs at least two visits (mesh files, records of fits, or folders with them)");
     return visits;
 }
 
-Fitted fit_capture(const Session& session, const ReportSettings& settings, const Model* model,
-                   const Capture& capture) {
-    if (settings.fitted) return read_fitted(session, settings, capture);
+bool is_record(const std::string& path) {
+    return extension_of(fs::u8path(path)) == ".safetensors";
+}
+
+Fitted fit_scan(const Session& session, const Model& model, const Capture& capture) {
+    if (is_record(capture.mesh)) return described(Registration(session, capture.mesh));
     RegisterOptions options;
     if (!capture.landmarks.empty())
         for (const NamedPoint& p : read_landmark_points(capture.landmarks))
             options.landmarks.push_back({p.name, p.point});
     options.progress = progress_bar();
-    const Registration fit(session, *model, Mesh(session, capture.mesh), options);
-    const mien_fit_verdict verdict = fit.verdict();
-    const std::vector<double> weight = fit.field(MIEN_REGISTRATION_WEIGHT);
-    Fitted fitted{fit.mesh(),
-                  normal_deviation(fit.field(MIEN_REGISTRATION_STANDARD_DEVIATION_MM), weight,
-                                   fit.field(MIEN_REGISTRATION_RESIDUAL_MM), settings.sd),
-                  weight,
-                  "",
-                  verdict.quality == MIEN_QUALITY_GOOD,
-                  nlohmann::json::parse(fit.json())};
-    char text[160];
-    std::snprintf(text, sizeof text, "fit %s: %.2f mm from the scan, %.0f %% of the face seen",
-                  verdict.quality == MIEN_QUALITY_GOOD       ? "good"
-                  : verdict.quality == MIEN_QUALITY_DOUBTFUL ? "doubtful"
-                                                             : "failed",
-                  verdict.mean_residual_mm, 100 * verdict.coverage);
-    fitted.verdict = text;
-    return fitted;
+    return described(Registration(session, model, Mesh(session, capture.mesh), options));
 }
 
-std::vector<std::uint32_t> with_margin(const Mesh& face, const std::vector<std::uint32_t>& vertices,
-                                       double margin_mm) {
-    const std::vector<Position> places = face.positions();
-    for (const std::uint32_t v : vertices)
-        if (v >= places.size())
-            throw std::runtime_error("a treated zone names vertex " + std::to_string(v) + " of " +
-                                     std::to_string(places.size()));
-    std::vector<std::uint32_t> near;
-    for (std::size_t v = 0; v < places.size(); ++v)
-        for (const std::uint32_t of : vertices) {
-            const double x = places[v][0] - places[of][0], y = places[v][1] - places[of][1],
-                         z = places[v][2] - places[of][2];
-            if (x * x + y * y + z * z > margin_mm * margin_mm) continue;
-            near.push_back(static_cast<std::uint32_t>(v));
-            break;
-        }
-    return near;
-}
-
-std::unique_ptr<Visits> neutralize_all(const Session& session, const ExpressionModel& expressions,
-                                       const std::vector<std::uint32_t>& treated,
-                                       std::vector<Fitted>& fits) {
-    std::vector<Mesh> faces;
-    std::vector<double> weights;
-    for (const Fitted& fit : fits) {
-        faces.push_back(fit.mesh);
-        weights.insert(weights.end(), fit.weight.begin(), fit.weight.end());
+Fitted read_fitted(const Session& session, const Capture& capture, std::optional<double> sd_mm) {
+    if (is_record(capture.mesh)) return described(Registration(session, capture.mesh));
+    const Mesh mesh(session, capture.mesh);
+    const std::size_t count = mesh.vertex_count();
+    const std::string verdict = "fitted beforehand";
+    const nlohmann::json file =
+        capture.landmarks.empty() ? nlohmann::json() : read_json(capture.landmarks);
+    if (!file.is_object() || !file.contains("weight")) {
+        std::vector<double> sd;
+        if (sd_mm) sd.assign(count, *sd_mm);
+        return {Registration(session, mesh, {}, {}, sd, MIEN_QUALITY_GOOD), verdict, true, {}};
     }
-    VisitsOptions options;
-    options.set_weights(weights);
-    options.set_treated(treated);
-    auto visits = std::make_unique<Visits>(session, expressions, faces, options, progress_bar());
-    for (std::size_t k = 0; k < fits.size(); ++k) {
-        fits[k].mesh = visits->neutral(static_cast<std::int32_t>(k));
-        const std::string name = visits->expression(static_cast<std::int32_t>(k));
-        fits[k].verdict += name.empty() || name == "neutral" ? "; no expression"
-                           : name == "any" ? "; an expression without a name taken off"
-                                           : "; expression taken off: " + name;
-    }
-    return visits;
+    const auto values = [&](const char* key) {
+        return values_of(file, capture.landmarks, key, count);
+    };
+    const bool judged = file.contains("quality") && file["quality"].is_string();
+    const std::string quality = judged ? file["quality"].get<std::string>() : "good";
+    return {Registration(session, mesh, values("weight"), values("residual_mm"),
+                         values("standard_deviation_mm"), quality_called(quality)),
+            judged ? verdict + ", fit " + quality : verdict,
+            quality == "good",
+            {}};
 }
 
 }  // namespace mien::cli

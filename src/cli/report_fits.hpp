@@ -1,8 +1,9 @@
-// What a longitudinal report is made from: the visits of a folder, their faces fitted to the scans,
-// the faces without their expressions.
+// The visits of a folder as registrations: scans are registered, records and fitted meshes are
+// read.
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,16 +11,9 @@
 
 namespace mien::cli {
 
-struct ReportSettings {
-    Common common;
-    std::string visits, model, expressions, zones, stable, out, title = "Volume over time";
-    std::vector<std::string> shown, treated;
-    bool fitted = false;
-    double sd = 0.08, correlation = 4, bias = 0.01, share = 0.06, posterior = 1, margin = 10;
-};
-
 struct Capture {
-    std::string mesh, landmarks;
+    std::string mesh;       ///< or a record that `mien register --record` wrote
+    std::string landmarks;  ///< or what `mien register --json` wrote; empty: nothing lies beside it
 };
 struct Visit {
     std::string name;
@@ -30,25 +24,20 @@ struct Visit {
 std::vector<Visit> find_visits(const std::string& folder);
 
 struct Fitted {
-    Mesh mesh;
-    std::vector<double> sd;      ///< along the normal, per vertex, mm
-    std::vector<double> weight;  ///< per vertex: how far the scan was seen there, 0 to 1
-    std::string verdict;
+    Registration fit;
+    std::string verdict;  ///< in words
     bool good = true;
-    nlohmann::json report;
+    nlohmann::json report;  ///< null for meshes that were fitted beforehand
 };
 
-/// model: may be null when settings say that the meshes are fitted already.
-Fitted fit_capture(const Session& session, const ReportSettings& settings, const Model* model,
-                   const Capture& capture);
+/// Registers a scan.
+Fitted fit_scan(const Session& session, const Model& model, const Capture& capture);
 
-/// The vertices within `margin_mm` of given ones on a face, those among them; ascending.
-std::vector<std::uint32_t> with_margin(const Mesh& face, const std::vector<std::uint32_t>& vertices,
-                                       double margin_mm);
+/// A fit that is there already: a record, or a mesh with what `mien register --json` wrote beside
+/// it. A bare mesh lies within sd_mm of the skin; without sd_mm nothing is known of its errors.
+Fitted read_fitted(const Session& session, const Capture& capture, std::optional<double> sd_mm);
 
-/// Takes the expressions off all captures together; the faces become neutral ones.
-std::unique_ptr<Visits> neutralize_all(const Session& session, const ExpressionModel& expressions,
-                                       const std::vector<std::uint32_t>& treated,
-                                       std::vector<Fitted>& fits);
+/// True for files that `mien register --record` writes, by their name.
+bool is_record(const std::string& path);
 
 }  // namespace mien::cli

@@ -129,6 +129,7 @@ std::string volume_table(const ReportPage& page) {
             if (std::isfinite(v.limit_ml))
                 html +=
                     (v.below_limit ? "<br>below the limit " : "<br>limit ") + fixed(v.limit_ml, 2);
+            if (!v.unknown.empty()) html += "<br>no interval: " + html_text(v.unknown);
             html += "</td>";
         }
         html += "</tr>";

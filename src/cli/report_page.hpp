@@ -16,6 +16,7 @@ struct ReportVolume {
     double low95_ml = 0, high95_ml = 0, absolute_ml = 0;
     double limit_ml = 0;  ///< of detection
     bool below_limit = false;
+    std::string unknown;  ///< why there is no interval; empty: there is one
 };
 
 struct ReportVisit {

@@ -13,12 +13,13 @@
 #include <vector>
 
 #include "base/types.hpp"
+#include "geometry/surface_errors.hpp"
 
 namespace mien {
 
 struct RigidZoneOptions {
-    double tangential = 0.1;             ///< tau, 0 < tau <= 1
-    double correlation_length_mm = 4.0;  ///< >= 0
+    double tangential = 0.1;                               ///< tau, 0 < tau <= 1
+    double correlation_length_mm = kSurfaceCorrelationMm;  ///< >= 0
     int iterations = 30;
 };
 

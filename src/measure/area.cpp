@@ -94,6 +94,29 @@ std::vector<ZoneArea> zone_areas(const PointsRef& vertices, const TrianglesRef& 
     return result;
 }
 
+Points area_gradient(const PointsRef& vertices, const TrianglesRef& triangles,
+                     const std::vector<char>& inside) {
+    if (static_cast<Index>(inside.size()) != vertices.rows())
+        fail(Status::mismatch, "a set over %zu vertices for %lld", inside.size(),
+             static_cast<long long>(vertices.rows()));
+    Points gradient = Points::Zero(vertices.rows(), 3);
+    for (Index t = 0; t < triangles.rows(); ++t) {
+        double share = 0.0;
+        for (int k = 0; k < 3; ++k) share += inside[triangles(t, k)] / 3.0;
+        if (!(share > 0)) continue;
+        Vector3 corner[3];
+        for (int k = 0; k < 3; ++k) corner[k] = vertices.row(triangles(t, k));
+        const Vector3 doubled = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
+        const double length = doubled.norm();
+        if (!(length > 0)) continue;  // a collapsed triangle has no direction to grow in
+        for (int k = 0; k < 3; ++k)   // half the opposite edge, turned by a right angle
+            gradient.row(triangles(t, k)) +=
+                share * 0.5 *
+                (doubled / length).cross(corner[(k + 2) % 3] - corner[(k + 1) % 3]).transpose();
+    }
+    return gradient;
+}
+
 ClosureReport examine_closure(const TrianglesRef& triangles, Index num_vertices) {
     (void)num_vertices;
     const std::vector<HalfEdge> edges = sorted_half_edges(triangles);

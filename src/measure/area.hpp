@@ -21,6 +21,11 @@ struct ZoneArea {
 std::vector<ZoneArea> zone_areas(const PointsRef& vertices, const TrianglesRef& triangles,
                                  const std::vector<Zone>& zones);
 
+/// How the area of some vertices (a third of each triangle per corner, as above) grows with each
+/// place: #V x 3, mm^2 per mm. `inside`: #V, 1 where a vertex belongs to them.
+Points area_gradient(const PointsRef& vertices, const TrianglesRef& triangles,
+                     const std::vector<char>& inside);
+
 /// What a mesh lacks to enclose a volume.
 struct ClosureReport {
     Index open_edges = 0;          ///< edges of one triangle

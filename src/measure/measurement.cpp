@@ -5,12 +5,13 @@
 
 #include "base/error.hpp"
 #include "base/json_text.hpp"
+#include "measure/interval.hpp"
 #include "measure/pair_check.hpp"
 
 namespace mien {
 namespace {
 
-constexpr double kZ95 = 1.9599639845400542;
+constexpr double kLevel = 0.95;  ///< of low95_ml and high95_ml
 
 SignedVolumeVerdict verdict_of(const VolumeParts& volume, const VolumePropagation* propagation,
                                const std::vector<char>& inside, double limit,
@@ -22,8 +23,9 @@ SignedVolumeVerdict verdict_of(const VolumeParts& volume, const VolumePropagatio
         const double none = std::numeric_limits<double>::quiet_NaN();
         verdict.uncertainty = {none, none, none, none};
     }
-    verdict.low95_ml = volume.signed_ml - kZ95 * verdict.uncertainty.sd_ml;
-    verdict.high95_ml = volume.signed_ml + kZ95 * verdict.uncertainty.sd_ml;
+    const Interval interval = normal_interval(volume.signed_ml, verdict.uncertainty.sd_ml, kLevel);
+    verdict.low95_ml = interval.low;
+    verdict.high95_ml = interval.high;
     if (limit > 0) verdict.detected = std::fabs(volume.signed_ml) >= limit ? 1 : 0;
     return verdict;
 }

@@ -48,14 +48,25 @@ VolumePropagation::VolumePropagation(const PointsRef& before, const PointsRef& a
 
 VolumeUncertainty VolumePropagation::of(const std::vector<char>& inside,
                                         const Context& context) const {
-    const Index num_vertices = middle_.rows();
-    if (static_cast<Index>(inside.size()) != num_vertices)
+    if (static_cast<Index>(inside.size()) != middle_.rows())
         fail(Status::mismatch, "a set over %zu vertices for %lld", inside.size(),
-             static_cast<long long>(num_vertices));
+             static_cast<long long>(middle_.rows()));
+    Vector loads = areas_;
+    for (Index v = 0; v < loads.size(); ++v)
+        if (!inside[static_cast<std::size_t>(v)]) loads[v] = 0.0;
+    return of_loads(loads, context);
+}
+
+VolumeUncertainty VolumePropagation::of_loads(const Vector& loads_mm2,
+                                              const Context& context) const {
+    const Index num_vertices = middle_.rows();
+    if (loads_mm2.size() != num_vertices)
+        fail(Status::mismatch, "%lld loads for %lld vertices",
+             static_cast<long long>(loads_mm2.size()), static_cast<long long>(num_vertices));
     // Sorted along x, so that only neighbours within the cut-off are visited.
     std::vector<Index> order;
     for (Index v = 0; v < num_vertices; ++v)
-        if (inside[static_cast<std::size_t>(v)] && areas_[v] > 0) order.push_back(v);
+        if (loads_mm2[v] != 0) order.push_back(v);
     std::stable_sort(order.begin(), order.end(),
                      [&](Index a, Index b) { return middle_(a, 0) < middle_(b, 0); });
     const std::size_t n = order.size();
@@ -66,13 +77,13 @@ VolumeUncertainty VolumePropagation::of(const std::vector<char>& inside,
     for (std::size_t i = 0; i < n; ++i) {
         const Index v = order[i], row = static_cast<Index>(i);
         points.row(row) = middle_.row(v);
-        load_before[row] = areas_[v] * sd_before_[v];
-        load_after[row] = areas_[v] * sd_after_[v];
+        load_before[row] = loads_mm2[v] * sd_before_[v];
+        load_after[row] = loads_mm2[v] * sd_after_[v];
         const Vector3 normal = normals_.row(v);
         const Vector3 arm = Vector3(middle_.row(v)) - model_.alignment_centre;
-        motion.head<3>() += areas_[v] * arm.cross(normal);
-        motion.tail<3>() += areas_[v] * normal;
-        area += areas_[v];
+        motion.head<3>() += loads_mm2[v] * arm.cross(normal);
+        motion.tail<3>() += loads_mm2[v] * normal;
+        area += loads_mm2[v];
     }
     const double length = model_.correlation_length_mm;
     const double cutoff = 4.0 * length;  // exp(-8) = 3e-4 there
@@ -97,11 +108,24 @@ VolumeUncertainty VolumePropagation::of(const std::vector<char>& inside,
     result.noise_ml = std::sqrt(std::max(0.0, noise)) * 1e-3;
     result.alignment_ml =
         std::sqrt(std::max(0.0, motion.dot(model_.alignment_covariance * motion))) * 1e-3;
-    result.bias_ml = model_.common_bias_mm * area * 1e-3;
+    result.bias_ml = model_.common_bias_mm * std::fabs(area) * 1e-3;
     result.sd_ml =
         std::sqrt(result.noise_ml * result.noise_ml + result.alignment_ml * result.alignment_ml +
                   result.bias_ml * result.bias_ml);
     return result;
+}
+
+Vector VolumePropagation::total_sd_mm() const {
+    Vector total(middle_.rows());
+    for (Index v = 0; v < total.size(); ++v) {
+        Eigen::Matrix<double, 6, 1> motion;
+        const Vector3 normal = normals_.row(v);
+        motion << (Vector3(middle_.row(v)) - model_.alignment_centre).cross(normal), normal;
+        total[v] = std::sqrt(sd_before_[v] * sd_before_[v] + sd_after_[v] * sd_after_[v] +
+                             std::max(0.0, motion.dot(model_.alignment_covariance * motion)) +
+                             model_.common_bias_mm * model_.common_bias_mm);
+    }
+    return total;
 }
 
 }  // namespace mien

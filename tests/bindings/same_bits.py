@@ -89,6 +89,36 @@ def host(name, neutral, command, saved):
         failed.append(f"{name}: prints another hash than that of the file it wrote")
 
 
+def table_of(text):
+    """The lines "visit zone signed low high limit" among what a program prints."""
+    return [line.rstrip().lower() for line in text.splitlines() if re.match(r"\d+ \S.* [-\d.naN]+ +[-\d.naN]+ +[-\d.naN]+ +[-\d.naN]+$", line)]
+
+
+def compare_visits(mien, models, scans, python):
+    """What changed between three visits: every host prints the numbers of the report."""
+    folder = work / "visits"
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir()
+    for k, scan in enumerate(scans):
+        shutil.copy(scan, folder / f"{k}.ply")
+    programs = {"C": [build / "bin/mien-visits"], "C++": [build / "bin/mien-visits-cpp"]}
+    if python:
+        programs["Python"] = [python, project / "examples/python/visits.py"]
+    tables = {name: table_of(run(*command, *models, *scans)) for name, command in programs.items()}
+    tables["report"] = table_of(run(mien, "report", "--visits", folder, "--model", models[0], "--expressions", models[1], "--json",
+                                    work / "visits.json", "--out", work / "visits.html"))
+    print("visits: %d numbers" % (4 * len(tables["report"])))
+    if len(tables["report"]) < 10:
+        failed.append("visits: the report prints no table")
+    told = json.loads((work / "visits.json").read_text())["visits"][1:]
+    first = [zone["signed_ml"] for visit in told for zone in visit["zones"]]
+    if [f"{value:.6f}" for value in first] != [line.split()[-4] for line in tables["report"]]:
+        failed.append("visits: the table is not what the report's JSON says")
+    for name, table in tables.items():
+        if table != tables["report"]:
+            failed.append(f"visits: {name} prints other numbers than the report:\n" + "\n".join(table))
+
+
 def main():
     demo, face, expressions = work / "demo", work / "face.safetensors", work / "expressions.safetensors"
     mien = build / "bin/mien"
@@ -158,6 +188,8 @@ def main():
     run(mien, "neutralize", "--model", expressions, "--in", work / "cli_fitted.ply", "--out", work / "cli_file.ply")
     from_file = {"C++": digest(work / "cpp_file.ply"), "command": digest(work / "cli_file.ply")}
     fitted = {"C++": digest(work / "cpp_fitted.ply"), "command": digest(work / "cli_fitted.ply")}
+
+    compare_visits(mien, [face, expressions], [demo / f"scan/scan_{name}.ply" for name in ("neutral", "grin", "mouth_stretch")], python)
 
     for title, hashes in (("neutral face", neutral), ("fitted face", fitted), ("neutral face of a bare mesh", from_file)):
         print(title)

@@ -82,6 +82,7 @@ MIEN_REGISTRATION_RESIDUAL_MM = 1
 MIEN_REGISTRATION_WEIGHT = 2
 MIEN_REGISTRATION_STANDARD_DEVIATION_MM = 3
 MIEN_REGISTRATION_RADIUS95_MM = 4
+MIEN_REGISTRATION_NORMAL_DEVIATION_MM = 5
 MIEN_TRANSFER_LANDMARKS = 1
 MIEN_TRANSFER_ZONES = 2
 MIEN_FIT_MIXTURE = 0
@@ -114,6 +115,14 @@ MIEN_FEATURES_DEFORMATION_NORMALISED = 5
 MIEN_FEATURES_DEFORMATION_STANDARDISED = 6
 MIEN_PLS_NIPALS = 0
 MIEN_PLS_SIMPLS = 1
+MIEN_STUDY_KNOWN = 0
+MIEN_STUDY_UNSEEN = 1
+MIEN_STUDY_FAILED_FIT = 2
+MIEN_STUDY_NO_SURFACE_ERRORS = 3
+MIEN_STUDY_OUTSIDE_EXPRESSIONS = 4
+MIEN_STUDY_FIELD_NORMAL_SD_MM = 1
+MIEN_STUDY_FIELD_WEIGHT = 2
+MIEN_STUDY_FIELD_EXPRESSION_SD_MM = 3
 MIEN_TRAIN_JPCA = 0
 MIEN_TRAIN_QOJPCA = 1
 MIEN_ABI_VERSION = 0
@@ -536,6 +545,64 @@ class SeriesOptions(ctypes.Structure):
     ]
 
 
+class StudyOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("reserved", ctypes.c_uint32),
+        ("zones", ctypes.POINTER(Zone)),
+        ("zone_count", ctypes.c_uint64),
+        ("treated_zones", ctypes.POINTER(ctypes.c_char_p)),
+        ("treated_count", ctypes.c_uint64),
+        ("stable_zones", ctypes.POINTER(ctypes.c_char_p)),
+        ("stable_count", ctypes.c_uint64),
+        ("visits", ctypes.c_void_p),
+        ("visit_number_count", ctypes.c_uint64),
+        ("margin_mm", ctypes.c_double),
+        ("level", ctypes.c_double),
+        ("noise_mm", ctypes.c_double),
+        ("correlation_length_mm", ctypes.c_double),
+        ("common_bias_mm", ctypes.c_double),
+        ("untrained_share", ctypes.c_double),
+        ("min_seen_share", ctypes.c_double),
+        ("progress", ProgressFn),
+        ("progress_user", ctypes.c_void_p),
+        ("cancel", ctypes.c_void_p),
+    ]
+
+
+class StudyValue(ctypes.Structure):
+    _fields_ = [
+        ("value", ctypes.c_double),
+        ("sd", ctypes.c_double),
+        ("low", ctypes.c_double),
+        ("high", ctypes.c_double),
+        ("limit_of_detection", ctypes.c_double),
+    ]
+
+
+class StudyChange(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("unknown", ctypes.c_int32),
+        ("signed_ml", StudyValue),
+        ("gained_ml", StudyValue),
+        ("lost_ml", StudyValue),
+        ("absolute_ml", StudyValue),
+        ("area_change_mm2", StudyValue),
+        ("mean_distance_mm", StudyValue),
+        ("surface_sd_ml", ctypes.c_double),
+        ("alignment_sd_ml", ctypes.c_double),
+        ("bias_sd_ml", ctypes.c_double),
+        ("expression_sd_ml", ctypes.c_double),
+        ("expression_removed_ml", ctypes.c_double),
+        ("seen_share", ctypes.c_double),
+        ("area_before_mm2", ctypes.c_double),
+        ("area_after_mm2", ctypes.c_double),
+        ("detected", ctypes.c_int32),
+        ("reserved", ctypes.c_uint32),
+    ]
+
+
 class TrainOptions(ctypes.Structure):
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
@@ -698,6 +765,9 @@ SIGNATURES = {
     "mien_registration_get_correspondence": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
     "mien_registration_get_motion": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
     "mien_registration_get_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_registration_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
+    "mien_registration_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_registration_create": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ArrayView), ctypes.POINTER(ArrayView), ctypes.POINTER(ArrayView), ctypes.c_int32, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_registration_retain": (None, [ctypes.c_void_p]),
     "mien_registration_release": (None, [ctypes.c_void_p]),
     "mien_surface_transfer_points": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ArrayView), ctypes.c_double, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
@@ -785,6 +855,20 @@ SIGNATURES = {
     "mien_series_get_mesh": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
     "mien_series_get_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
     "mien_series_release": (None, [ctypes.c_void_p]),
+    "mien_study_options_init": (None, [ctypes.POINTER(StudyOptions), ctypes.c_size_t]),
+    "mien_study_create": (ctypes.c_int32, [ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.c_uint32, ctypes.c_void_p, ctypes.POINTER(StudyOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_study_create_from_meshes": (ctypes.c_int32, [ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.c_uint32, ctypes.POINTER(ArrayView), ctypes.POINTER(ArrayView), ctypes.c_void_p, ctypes.POINTER(StudyOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_study_get_counts": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_study_get_zone_name": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_study_get_expression": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_study_get_mesh": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.c_int32, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
+    "mien_study_get_field": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.c_int32, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_study_get_distances": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.c_int32, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_study_get_alignment": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.c_int32, ctypes.POINTER(ZoneAlignment), ctypes.POINTER(Error)]),
+    "mien_study_get_change": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.c_int32, ctypes.c_int32, ctypes.POINTER(StudyChange), ctypes.POINTER(Error)]),
+    "mien_study_get_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
+    "mien_study_retain": (None, [ctypes.c_void_p]),
+    "mien_study_release": (None, [ctypes.c_void_p]),
     "mien_template_check": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
     "mien_train_options_init": (None, [ctypes.POINTER(TrainOptions), ctypes.c_size_t]),
     "mien_expression_model_train": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(TrainOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),

@@ -14,9 +14,14 @@ struct MeasureZone {
 
 /// The settings of mien_measure_options; an empty vector is "not given".
 struct MeasureOptions {
+    MeasureOptions() {
+        mien_measure_options defaults;
+        mien_measure_options_init(&defaults, sizeof defaults);
+        correlation_length_mm = defaults.correlation_length_mm;
+    }
     std::vector<MeasureZone> zones;
     std::vector<double> before_sd_mm, after_sd_mm;
-    double correlation_length_mm = 10.0;
+    double correlation_length_mm;
     double alignment_rotation_sd_rad = 0.0, alignment_translation_sd_mm = 0.0;
     Position alignment_centre{{0, 0, 0}};
     double common_bias_mm = 0.0;

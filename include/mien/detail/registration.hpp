@@ -46,6 +46,32 @@ class Registration {
         handle_ = std::shared_ptr<mien_registration>(registration, mien_registration_release);
     }
 
+    /// What save() kept.
+    Registration(const Session& session, const std::string& path) {
+        mien_registration* registration = nullptr;
+        detail::call(mien_registration_load, session.get(), path.c_str(), &registration);
+        handle_ = std::shared_ptr<mien_registration>(registration, mien_registration_release);
+    }
+    /// A face that was fitted elsewhere; one value per vertex, or empty: not known; quality:
+    /// MIEN_QUALITY_*.
+    Registration(const Session& session, const Mesh& mesh, const std::vector<double>& weight,
+                 const std::vector<double>& residual_mm,
+                 const std::vector<double>& standard_deviation_mm, std::int32_t quality) {
+        const auto view = [](const std::vector<double>& values) {
+            return mien_array_view{values.data(), values.size(), sizeof(double), MIEN_DTYPE_F64, 0};
+        };
+        const mien_array_view w = view(weight), r = view(residual_mm),
+                              s = view(standard_deviation_mm);
+        mien_registration* registration = nullptr;
+        detail::call(mien_registration_create, session.get(), mesh.get(),
+                     weight.empty() ? nullptr : &w, residual_mm.empty() ? nullptr : &r,
+                     standard_deviation_mm.empty() ? nullptr : &s, quality, &registration);
+        handle_ = std::shared_ptr<mien_registration>(registration, mien_registration_release);
+    }
+    void save(const Session& session, const std::string& path) const {
+        detail::call(mien_registration_save, session.get(), get(), path.c_str());
+    }
+
     /// The fitted template, scan frame, mm.
     Mesh mesh() const { return Mesh::share(mien_registration_mesh(get())); }
     mien_fit_verdict verdict() const {

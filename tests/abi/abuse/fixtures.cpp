@@ -172,6 +172,10 @@ std::vector<std::uint64_t> Fixtures::structure(const StructRow& row, std::size_t
     else if (row.tells_its_size)
         put(bytes, 0, static_cast<std::uint32_t>(row.size + extra));
     mien_array_view points{positions_.data(), kVertices, 0, MIEN_DTYPE_F64, 0};
+    static const std::vector<double> ones(2 * kVertices, 1.0);
+    const bool of_two_faces = role == "normal_sd" || role == "weights";
+    if (of_two_faces || role == "weight" || role == "residual" || role == "standard_deviation")
+        points = {ones.data(), of_two_faces ? ones.size() : ones.size() / 2, 0, MIEN_DTYPE_F64, 0};
     if (role == "identity") points.count = identity_modes_;
     if (role == "expression") points.count = expression_modes_;
     const std::string name = row.name;

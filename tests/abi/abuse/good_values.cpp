@@ -65,6 +65,8 @@ constexpr Number kNumbers[] = {
     {"", "kind", MIEN_FEATURES_EUCLIDEAN_STANDARDISED},
     {"registration", "field", MIEN_REGISTRATION_RESIDUAL_MM},
     {"measurement", "field", MIEN_FIELD_POSITIVE_VOLUME_MM3},
+    {"study", "field", MIEN_STUDY_FIELD_WEIGHT},
+    {"study", "second", 1},
     {"measurement", "zone", MIEN_ZONE_WHOLE},
 };
 
@@ -152,6 +154,18 @@ void shrink_settings(const StructRow& row, std::vector<std::uint64_t>& words) {
         const std::uint64_t count = 1;
         std::memcpy(bytes + offsetof(mien_model_options, landmarks), &data, sizeof data);
         std::memcpy(bytes + offsetof(mien_model_options, landmark_count), &count, sizeof count);
+    }
+    if (std::strcmp(row.name, "mien_study_options") == 0) {
+        static const std::uint32_t vertices[] = {13, 14, 15, 16, 25, 26, 27, 28, 37, 38, 39, 40};
+        static const mien_zone zones[] = {{"zone", vertices, 12}};
+        static const char* const names[] = {"zone"};
+        const auto* zone = zones;
+        const auto* name = names;
+        const std::uint64_t count = 1;
+        std::memcpy(bytes + offsetof(mien_study_options, zones), &zone, sizeof zone);
+        std::memcpy(bytes + offsetof(mien_study_options, zone_count), &count, sizeof count);
+        std::memcpy(bytes + offsetof(mien_study_options, stable_zones), &name, sizeof name);
+        std::memcpy(bytes + offsetof(mien_study_options, stable_count), &count, sizeof count);
     }
     if (std::strcmp(row.name, "mien_tune_options") == 0) {
         static const double sigmas[] = {20, 40};

@@ -1,0 +1,22 @@
+// Intervals and limits that follow from a standard deviation, for errors that are normal.
+//
+// Sources: GUM (JCGM 100:2008) 5.2 and 6.3 for the interval; Currie 1968 for the limit of detection
+// with five percent of errors of both kinds.
+#pragma once
+
+namespace mien {
+
+struct Interval {
+    double low = 0.0, high = 0.0;
+};
+
+/// value -+ z sd, z the quantile that leaves (1 - level) / 2 on either side (level 0.95: 1.96).
+/// Not a number throughout when sd is none. Throws Status::invalid_argument unless 0 < level < 1.
+Interval normal_interval(double value, double sd, double level);
+
+/// What a change must reach to be told from none when no blanks were measured: a limit of blank,
+/// exceeded by 5 % of unchanged subjects, and a detection above it, missed by 5 % of subjects that
+/// changed by so much. 2 z(0.95) sd, in the unit of sd; not a number for such a sd.
+double propagated_detection_limit(double sd);
+
+}  // namespace mien

@@ -1,0 +1,297 @@
+#include "registration/fit_record.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "base/error.hpp"
+#include "base/json.hpp"
+
+namespace mien {
+namespace {
+
+constexpr const char* kKind = "mien-fit-record";
+constexpr int kMajor = 1;
+constexpr std::int64_t kNumVerdict = 15, kNumMotion = 13;
+
+std::uint64_t size_of(Index count) {
+    return static_cast<std::uint64_t>(count);
+}
+
+std::vector<double> numbers_of(const Verdict& v, const RegistrationResult& fit) {
+    return {static_cast<double>(v.quality),
+            v.coverage,
+            v.inlier_share,
+            v.mean_residual_mm,
+            v.landmark_rms_mm,
+            static_cast<double>(v.landmarks_used),
+            v.size_ratio,
+            v.mean_deviation,
+            static_cast<double>(v.flipped_triangles),
+            static_cast<double>(v.repaired_triangles),
+            static_cast<double>(v.self_intersections),
+            v.search_score,
+            v.unit_to_mm,
+            v.may_slide ? 1.0 : 0.0,
+            static_cast<double>(fit.iterations)};
+}
+
+int whole(double value, const char* what) {
+    if (!(value >= 0) || !(value <= std::numeric_limits<int>::max()) || value != std::floor(value))
+        fail(Status::bad_format, "tensor 'verdict': %s is %g", what, value);
+    return static_cast<int>(value);
+}
+
+void read_numbers(const double* n, Verdict& v, RegistrationResult& fit) {
+    const int quality = whole(n[0], "quality");
+    if (quality > static_cast<int>(FitQuality::failed))
+        fail(Status::bad_format, "tensor 'verdict': quality %d is none", quality);
+    v.quality = static_cast<FitQuality>(quality);
+    v.coverage = n[1];
+    v.inlier_share = n[2];
+    v.mean_residual_mm = n[3];
+    v.landmark_rms_mm = n[4];
+    v.landmarks_used = whole(n[5], "landmarks_used");
+    v.size_ratio = n[6];
+    v.mean_deviation = n[7];
+    v.flipped_triangles = whole(n[8], "flipped_triangles");
+    v.repaired_triangles = whole(n[9], "repaired_triangles");
+    v.self_intersections = whole(n[10], "self_intersections");
+    v.search_score = n[11];
+    v.unit_to_mm = n[12];
+    v.may_slide = n[13] != 0;
+    fit.iterations = whole(n[14], "iterations");
+}
+
+std::vector<double> numbers_of(const Similarity& motion) {
+    std::vector<double> numbers;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) numbers.push_back(motion.rotation(i, j));
+    for (int i = 0; i < 3; ++i) numbers.push_back(motion.translation[i]);
+    numbers.push_back(motion.scale);
+    return numbers;
+}
+
+Similarity motion_of(const double* numbers) {
+    Similarity motion;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) motion.rotation(i, j) = numbers[3 * i + j];
+    for (int i = 0; i < 3; ++i) motion.translation[i] = numbers[9 + i];
+    motion.scale = numbers[12];
+    return motion;
+}
+
+/// What is wrong with a fit's arrays, as an error of `status`.
+void check_fit(const TriMesh& mesh, const RegistrationResult& fit, Status status) {
+    const Index n = mesh.vertices.rows();
+    for (const Vector* values : {&fit.weight, &fit.residual_mm, &fit.confidence_mm})
+        if (values->size() != n && values->size() != 0)
+            fail(Status::mismatch, "%lld weights, residuals or deviations for %lld vertices",
+                 static_cast<long long>(values->size()), static_cast<long long>(n));
+    for (Index v = 0; v < fit.weight.size(); ++v)
+        if (!(fit.weight[v] >= 0) || !(fit.weight[v] <= 1))
+            fail_at(status, v, "weight %lld is %g; weights are 0 to 1", static_cast<long long>(v),
+                    fit.weight[v]);
+    for (Index v = 0; v < fit.residual_mm.size(); ++v)
+        if (!std::isfinite(fit.residual_mm[v]))
+            fail_at(status, v, "residual %lld is not finite", static_cast<long long>(v));
+    for (Index v = 0; v < fit.confidence_mm.size(); ++v)
+        if (!(fit.confidence_mm[v] >= 0) || !std::isfinite(fit.confidence_mm[v]))
+            fail_at(status, v, "deviation %lld is %g; deviations are zero or more",
+                    static_cast<long long>(v), fit.confidence_mm[v]);
+}
+
+Vector read_vector(const SafetensorsFile& file, const char* name, Index count) {
+    if (!file.has(name)) return {};  // was not known
+    return Eigen::Map<const Vector>(
+        static_cast<const double*>(file.tensor(name, DType::f64, {count}).data), count);
+}
+
+void read_zones(const SafetensorsFile& file, Index num_vertices, std::vector<Zone>& zones) {
+    if (!file.has("zone_vertices")) return;
+    const auto names = parse_json_string_list(file.metadata("zone_names"), "zone_names");
+    const TensorView& vertices = file.tensor("zone_vertices", DType::u32, {-1});
+    const TensorView& sizes =
+        file.tensor("zone_sizes", DType::u32, {static_cast<std::int64_t>(names.size())});
+    const auto* vertex = static_cast<const std::uint32_t*>(vertices.data);
+    std::uint64_t left = vertices.count;
+    for (std::size_t z = 0; z < names.size(); ++z) {
+        const std::uint64_t size = static_cast<const std::uint32_t*>(sizes.data)[z];
+        if (size > left)
+            fail(Status::bad_format, "tensor 'zone_sizes' asks for more than 'zone_vertices' has");
+        zones.push_back({names[z], {vertex, vertex + size}});
+        for (const std::uint32_t v : zones.back().vertices)
+            if (static_cast<Index>(v) >= num_vertices)
+                fail(Status::bad_format, "tensor 'zone_vertices' names vertex %u of %lld", v,
+                     static_cast<long long>(num_vertices));
+        vertex += size;
+        left -= size;
+    }
+}
+
+void read_hits(const SafetensorsFile& file, Index num_vertices, std::vector<SurfaceHit>& hits) {
+    if (!file.has("scan_triangles")) return;
+    const auto* triangles = static_cast<const std::uint32_t*>(
+        file.tensor("scan_triangles", DType::u32, {num_vertices}).data);
+    const auto* places = static_cast<const double*>(
+        file.tensor("scan_barycentric", DType::f64, {num_vertices, 3}).data);
+    hits.resize(static_cast<std::size_t>(num_vertices));
+    for (std::size_t v = 0; v < hits.size(); ++v) {
+        hits[v].triangle = triangles[v];
+        hits[v].barycentric = Vector3(places[3 * v], places[3 * v + 1], places[3 * v + 2]);
+    }
+}
+
+/// Tensors and names, gathered with the arrays that they borrow.
+struct Writing {
+    std::vector<TensorToWrite> tensors;
+    std::map<std::string, std::string> metadata;
+    std::vector<double> verdict, start, motion, energy, correlations, barycentric;
+    std::vector<std::uint32_t> scan_triangles, zone_vertices, zone_sizes;
+
+    void add(const char* name, const std::vector<double>& values,
+             std::vector<std::uint64_t> shape = {}) {
+        if (shape.empty()) shape = {values.size()};
+        if (!values.empty()) tensors.push_back({name, DType::f64, std::move(shape), values.data()});
+    }
+    void add(const char* name, const Vector& values) {
+        if (values.size() != 0)
+            tensors.push_back({name, DType::f64, {size_of(values.size())}, values.data()});
+    }
+    void add(const char* name, const std::vector<std::uint32_t>& values) {
+        if (!values.empty()) tensors.push_back({name, DType::u32, {values.size()}, values.data()});
+    }
+};
+
+void add_names(Writing& out, const RegistrationResult& fit, const std::vector<Zone>& zones) {
+    const Verdict& verdict = fit.verdict;
+    std::vector<std::string> colors, zone_names;
+    for (const ColorAgreement& feature : verdict.colors) {
+        colors.push_back(feature.name);
+        out.correlations.push_back(feature.correlation);
+    }
+    for (const Zone& zone : zones) {
+        zone_names.push_back(zone.name);
+        out.zone_sizes.push_back(static_cast<std::uint32_t>(zone.vertices.size()));
+        out.zone_vertices.insert(out.zone_vertices.end(), zone.vertices.begin(),
+                                 zone.vertices.end());
+    }
+    out.metadata["reasons"] = json_string_list(verdict.reasons);
+    out.metadata["landmarks_rejected"] = json_string_list(verdict.landmarks_rejected);
+    out.metadata["landmarks_unknown"] = json_string_list(fit.unknown_landmarks);
+    out.metadata["color_features"] = json_string_list(colors);
+    if (!out.zone_vertices.empty()) out.metadata["zone_names"] = json_string_list(zone_names);
+}
+
+}  // namespace
+
+void save_fit_record(const std::string& path, const TriMesh& mesh, const RegistrationResult& fit,
+                     const std::vector<Zone>& zones, const Context& context) {
+    check_fit(mesh, fit, Status::invalid_argument);
+    const std::uint64_t n = size_of(mesh.vertices.rows());
+    Writing out;
+    out.metadata = {{"kind", kKind}, {"format", "1.0"}, {"units", "millimetres"}};
+    add_names(out, fit, zones);
+    out.verdict = numbers_of(fit.verdict, fit);
+    out.verdict.push_back(fit.sigma_mm);
+    out.start = numbers_of(fit.start);
+    out.motion = numbers_of(fit.motion);
+    out.energy = fit.energy;
+    for (const SurfaceHit& hit : fit.correspondence) {
+        out.scan_triangles.push_back(hit.triangle);
+        for (int k = 0; k < 3; ++k) out.barycentric.push_back(hit.barycentric[k]);
+    }
+    out.tensors.push_back({"vertices", DType::f64, {n, 3}, mesh.vertices.data()});
+    out.add("residual_mm", fit.residual_mm);
+    out.add("weight", fit.weight);
+    out.add("standard_deviation_mm", fit.confidence_mm);
+    out.add("verdict", out.verdict);
+    out.add("start", out.start);
+    out.add("motion", out.motion);
+    out.add("energy_mm2", out.energy);
+    out.add("color_correlations", out.correlations);
+    out.add("scan_barycentric", out.barycentric, {n, 3});
+    out.tensors.push_back(
+        {"triangles", DType::u32, {size_of(mesh.triangles.rows()), 3}, mesh.triangles.data()});
+    out.add("scan_triangles", out.scan_triangles);
+    out.add("zone_vertices", out.zone_vertices);
+    if (!out.zone_vertices.empty()) out.add("zone_sizes", out.zone_sizes);
+    if (mesh.colors.rows() != 0)
+        out.tensors.push_back({"colors", DType::u8, {n, 3}, mesh.colors.data()});
+    write_safetensors(path, out.tensors, std::move(out.metadata), context);
+}
+
+FitRecord load_fit_record(const std::string& path, const Context& context) {
+    return read_fit_record(SafetensorsFile::open(path, {}, context));
+}
+
+FitRecord read_fit_record(const SafetensorsFile& file) {
+    file.require_kind(kKind, kMajor);
+    FitRecord record;
+    TriMesh& mesh = record.mesh;
+    RegistrationResult& fit = record.fit;
+    const TensorView& places = file.tensor("vertices", DType::f64, {-1, 3});
+    const Index n = static_cast<Index>(places.shape[0]);
+    mesh.vertices = Eigen::Map<const Points>(static_cast<const double*>(places.data), n, 3);
+    const TensorView& corners = file.tensor("triangles", DType::u32, {-1, 3});
+    mesh.triangles = Eigen::Map<const Triangles>(static_cast<const std::uint32_t*>(corners.data),
+                                                 static_cast<Index>(corners.shape[0]), 3);
+    if (file.has("colors"))
+        mesh.colors = Eigen::Map<const Colors>(
+            static_cast<const std::uint8_t*>(file.tensor("colors", DType::u8, {n, 3}).data), n, 3);
+    check_mesh(mesh, "the fit record's mesh");
+    fit.residual_mm = read_vector(file, "residual_mm", n);
+    fit.weight = read_vector(file, "weight", n);
+    fit.confidence_mm = read_vector(file, "standard_deviation_mm", n);
+    check_fit(mesh, fit, Status::corrupt);
+    const auto* numbers =
+        static_cast<const double*>(file.tensor("verdict", DType::f64, {kNumVerdict + 1}).data);
+    read_numbers(numbers, fit.verdict, fit);
+    fit.sigma_mm = numbers[kNumVerdict];
+    fit.start =
+        motion_of(static_cast<const double*>(file.tensor("start", DType::f64, {kNumMotion}).data));
+    fit.motion =
+        motion_of(static_cast<const double*>(file.tensor("motion", DType::f64, {kNumMotion}).data));
+    if (file.has("energy_mm2")) {
+        const TensorView& energy = file.tensor("energy_mm2", DType::f64, {-1});
+        const auto* values = static_cast<const double*>(energy.data);
+        fit.energy.assign(values, values + energy.count);
+    }
+    read_hits(file, n, fit.correspondence);
+    const auto names = [&](const char* key) {
+        return parse_json_string_list(file.metadata(key), key);
+    };
+    fit.verdict.reasons = names("reasons");
+    fit.verdict.landmarks_rejected = names("landmarks_rejected");
+    fit.unknown_landmarks = names("landmarks_unknown");
+    const std::vector<std::string> colors = names("color_features");
+    for (std::size_t i = 0; i < colors.size(); ++i)
+        fit.verdict.colors.push_back(
+            {colors[i],
+             static_cast<const double*>(file.tensor("color_correlations", DType::f64,
+                                                    {static_cast<std::int64_t>(colors.size())})
+                                            .data)[i]});
+    read_zones(file, n, record.zones);
+    return record;
+}
+
+FitRecord fit_record_of(TriMesh mesh, Vector weights, Vector residual_mm, Vector place_sd_mm,
+                        FitQuality quality, std::vector<Zone> zones) {
+    check_mesh(mesh, "the fitted mesh");
+    FitRecord record;
+    record.mesh = std::move(mesh);
+    record.fit.weight = std::move(weights);
+    record.fit.residual_mm = std::move(residual_mm);
+    record.fit.confidence_mm = std::move(place_sd_mm);
+    record.fit.verdict.quality = quality;
+    record.zones = std::move(zones);
+    check_fit(record.mesh, record.fit, Status::invalid_argument);
+    const Index n = record.mesh.vertices.rows();
+    for (const Zone& zone : record.zones)
+        for (const std::uint32_t v : zone.vertices)
+            if (static_cast<Index>(v) >= n)
+                fail_at(Status::mismatch, v, "zone '%s' names vertex %u of %lld",
+                        shown_name(zone.name).c_str(), v, static_cast<long long>(n));
+    return record;
+}
+
+}  // namespace mien

@@ -1,0 +1,113 @@
+#include "registration/fit_record.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+
+#include "base/error.hpp"
+#include "registration/report.hpp"
+
+namespace mien {
+namespace {
+
+FitRecord made() {
+    TriMesh mesh;
+    mesh.vertices.resize(4, 3);
+    mesh.vertices << 0, 0, 0, 1, 0, 0, 0, 1, 0.1, 1, 1, 1.0 / 3;
+    mesh.triangles.resize(2, 3);
+    mesh.triangles << 0, 1, 2, 1, 3, 2;
+    Vector weights(4), residual(4), sd(4);
+    weights << 0, 0.25, 1, 1.0 / 3;
+    residual << -0.1, 0.2, 0, 1e-17;
+    sd << 0.5, 0, 1e9, 0.7;
+    FitRecord record = fit_record_of(mesh, weights, residual, sd, FitQuality::doubtful,
+                                     {{"nose", {0, 2}}, {"chin", {3}}});
+    RegistrationResult& fit = record.fit;
+    fit.correspondence.resize(4);
+    fit.correspondence[2].triangle = 17;
+    fit.correspondence[2].barycentric = Vector3(0.2, 0.3, 0.5);
+    fit.energy = {3, 2.5};
+    fit.motion.translation = Vector3(1, 2, 1.0 / 3);
+    fit.motion.scale = 1.1;
+    fit.verdict.reasons = {"a scan of \"half\" a face", "zwölf"};
+    fit.verdict.landmarks_rejected = {"gnathion"};
+    fit.verdict.colors = {{"lips", 0.75}};
+    fit.verdict.landmarks_used = 66;
+    fit.verdict.may_slide = true;
+    fit.unknown_landmarks = {"elbow"};
+    fit.iterations = 12;
+    fit.sigma_mm = 0.5;
+    return record;
+}
+
+std::string path() {
+    return ::testing::TempDir() + "mien_fit_record.safetensors";
+}
+
+TEST(FitRecord, LosesNoBitOnItsWayThroughAFile) {
+    const FitRecord kept = made();
+    save_fit_record(path(), kept.mesh, kept.fit, kept.zones, Context());
+    const FitRecord read = load_fit_record(path(), Context());
+    EXPECT_EQ(read.mesh.vertices, kept.mesh.vertices);
+    EXPECT_EQ(read.mesh.triangles, kept.mesh.triangles);
+    EXPECT_EQ(read.fit.weight, kept.fit.weight);
+    EXPECT_EQ(read.fit.residual_mm, kept.fit.residual_mm);
+    EXPECT_EQ(read.fit.confidence_mm, kept.fit.confidence_mm);
+    EXPECT_EQ(registration_json(read.fit), registration_json(kept.fit));
+    ASSERT_EQ(read.zones.size(), 2u);
+    EXPECT_EQ(read.zones[0].name, "nose");
+    EXPECT_EQ(read.zones[0].vertices, kept.zones[0].vertices);
+    EXPECT_EQ(read.fit.correspondence[2].triangle, 17u);
+    EXPECT_EQ(read.fit.correspondence[2].barycentric, kept.fit.correspondence[2].barycentric);
+    EXPECT_TRUE(read.fit.verdict.may_slide);
+    std::remove(path().c_str());
+}
+
+TEST(FitRecord, WhatWasNotKnownIsNotKnownAgain) {
+    const FitRecord kept = fit_record_of(made().mesh, {}, {}, {}, FitQuality::good, {});
+    save_fit_record(path(), kept.mesh, kept.fit, kept.zones, Context());
+    const FitRecord read = load_fit_record(path(), Context());
+    EXPECT_EQ(read.fit.weight.size(), 0);
+    EXPECT_EQ(read.fit.confidence_mm.size(), 0);
+    EXPECT_TRUE(read.zones.empty());
+    EXPECT_TRUE(read.fit.correspondence.empty());
+    std::remove(path().c_str());
+}
+
+TEST(FitRecord, ArraysThatAreNoFitAreRefused) {
+    const TriMesh mesh = made().mesh;
+    const Vector ones = Vector::Ones(4), none;
+    Vector wrong = ones;
+    wrong[2] = -1;
+    const auto status = [&](const Vector& weights, const Vector& sd, std::vector<Zone> zones) {
+        try {
+            fit_record_of(mesh, weights, none, sd, FitQuality::good, std::move(zones));
+        } catch (const Error& failure) {
+            return failure.status();
+        }
+        return Status::ok;
+    };
+    EXPECT_EQ(status(ones, ones, {}), Status::ok);
+    EXPECT_EQ(status(wrong, ones, {}), Status::invalid_argument);
+    EXPECT_EQ(status(2 * ones, ones, {}), Status::invalid_argument);
+    EXPECT_EQ(status(ones, wrong, {}), Status::invalid_argument);
+    EXPECT_EQ(status(Vector::Ones(3), ones, {}), Status::mismatch);
+    EXPECT_EQ(status(ones, ones, {{"nose", {4}}}), Status::mismatch);
+}
+
+TEST(FitRecord, EveryTruncationIsATypedError) {
+    const FitRecord kept = made();
+    save_fit_record(path(), kept.mesh, kept.fit, kept.zones, Context());
+    std::ifstream in(path(), std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    for (std::size_t size = 0; size < bytes.size(); size += 7)
+        EXPECT_THROW(
+            read_fit_record(SafetensorsFile::from_memory(bytes.data(), size, {}, Context())),
+            Error);
+    std::remove(path().c_str());
+}
+
+}  // namespace
+}  // namespace mien
