@@ -5,8 +5,8 @@
 #include "base/error.hpp"
 #include "base/thread_pool.hpp"
 #include "expression/neutralize.hpp"
-#include "measure/volume.hpp"
 #include "measure/repeatability.hpp"
+#include "measure/volume.hpp"
 #include "sheets.hpp"
 #include "study/study_json.hpp"
 
