@@ -105,7 +105,8 @@ TEST(StudyErrors, AFailedFitHasNoInterval) {
 TEST(StudyErrors, NothingIsToldOfAZoneThatWasNotSeen) {
     const Points face = study().neutral(3);
     StudyFace half = seen(face, 0.1, 1, 1);
-    for (const std::uint32_t v : settings_with_zones().zones.zones[1].vertices) half.weights[v] = 0;
+    const StudySettings settings = settings_with_zones();
+    for (const std::uint32_t v : settings.zones.zones[1].vertices) half.weights[v] = 0;
     const Study made(Context(), nullptr, {seen(face, 0.1, 2, 0), half}, settings_with_zones());
     const ZoneChange& high = made.change(0, 1).zones[1];
     EXPECT_EQ(high.reason, WhyUnknown::unseen);
