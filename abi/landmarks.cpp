@@ -86,7 +86,12 @@ LandmarkFile places_of(const mien_scan_landmark* landmarks, std::uint64_t landma
         mark.name = checked_text(landmarks[k].name, "a landmark's name");
         const Vector3 point(landmarks[k].position[0], landmarks[k].position[1],
                             landmarks[k].position[2]);
-        if (point.allFinite()) mark.point = point, mark.where = Mark::Where::place;
+        if (!point.allFinite())
+            fail_at(Status::invalid_argument, static_cast<std::int64_t>(k),
+                    "landmark '%s' is not finite; leave out what was not picked",
+                    shown_name(mark.name).c_str());
+        mark.point = point;
+        mark.where = Mark::Where::place;
         file.marks.push_back(std::move(mark));
     }
     check_names(file.marks, "landmark");

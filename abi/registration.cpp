@@ -1,5 +1,7 @@
 #include "registration.hpp"
 
+#include <cmath>
+
 #include "arrays.hpp"
 #include "guard.hpp"
 #include "model.hpp"
@@ -53,6 +55,7 @@ mien_register_options default_register_options() {
     options.start_rotation[0] = options.start_rotation[4] = options.start_rotation[8] = 1;
     options.start_scale = 1;
     options.color_features = core.colors.enabled ? 1 : 0;
+    options.landmark_sides = static_cast<std::int32_t>(core.start.sides.rule);
     return options;
 }
 
@@ -76,7 +79,13 @@ void check_options(const mien_register_options& given) {
                    {"sigma_start_mm", given.sigma_start_mm},
                    {"sigma_end_mm", given.sigma_end_mm},
                    {"max_angle_deg", given.max_angle_deg},
-                   {"start_scale", given.start_scale}});
+                   {"start_scale", given.start_scale},
+                   {"unit_to_mm", given.unit_to_mm}});
+    require_range(given.landmark_sides, 0, 2, "landmark_sides");
+    if (given.reserved2 != 0) fail(Status::unsupported_option, "options.reserved2 is not zero");
+    if (given.unit_to_mm < 0 || !std::isfinite(given.unit_to_mm))
+        fail(Status::invalid_argument, "options.unit_to_mm is %g, it must be positive, or 0",
+             given.unit_to_mm);
     for (const double number : given.start_rotation) check_numbers({{"start_rotation", number}});
     for (const double number : given.start_translation)
         check_numbers({{"start_translation", number}});
@@ -87,6 +96,8 @@ RegistrationSettings convert(const mien_register_options& given) {
     RegistrationSettings settings;
     settings.intake.units = static_cast<UnitRule>(given.units);
     settings.intake.skin_weights = given.skin_weights == 1;
+    settings.intake.unit_to_mm = given.unit_to_mm;
+    settings.start.sides.rule = static_cast<SideRule>(given.landmark_sides);
     if (given.scan_weights.count != 0)
         settings.intake.weight_per_vertex = read_values(given.scan_weights, "options.scan_weights");
     settings.prior.max_scalar_modes = given.max_scalar_modes;

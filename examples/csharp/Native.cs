@@ -82,6 +82,9 @@ namespace Mien.Native
         internal const int MIEN_UNITS_DETECT = 0;
         internal const int MIEN_UNITS_MILLIMETRES = 1;
         internal const int MIEN_UNITS_REFUSE = 2;
+        internal const int MIEN_SIDES_REFUSE = 0;
+        internal const int MIEN_SIDES_MEND = 1;
+        internal const int MIEN_SIDES_IGNORE = 2;
         internal const int MIEN_QUALITY_GOOD = 0;
         internal const int MIEN_QUALITY_DOUBTFUL = 1;
         internal const int MIEN_QUALITY_FAILED = 2;
@@ -364,6 +367,9 @@ namespace Mien.Native
         public IntPtr cancel;
         public int colorFeatures;
         public uint reserved;
+        public double unitToMm;
+        public int landmarkSides;
+        public uint reserved2;
     }
 
     [StructLayout(LayoutKind.Sequential)]

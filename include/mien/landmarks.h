@@ -51,8 +51,8 @@ MIEN_API mien_status MIEN_CALL mien_landmarks_load(mien_session* session, const 
                                                    mien_landmarks** out, mien_error* error);
 
 /**
- * Makes a list of places from the host's. A place that is not finite, and a repeated placeholder,
- * counts as not picked.
+ * Makes a list of places from the host's. A repeated placeholder, such as 0 0 0, counts as not
+ * picked.
  *
  * @param landmarks      [in] landmark_count of them; null allowed when that is 0. Names must
  * differ.

@@ -25,7 +25,7 @@ enum {
     MIEN_START_AUTOMATIC = 0, /**< landmarks when three match, else a search */
     MIEN_START_LANDMARKS = 1,
     MIEN_START_POSE = 2,  /**< start_rotation, start_translation, start_scale */
-    MIEN_START_SEARCH = 3 /**< over all poses up to 60 degrees off frontal */
+    MIEN_START_SEARCH = 3 /**< over all poses, those up to 60 degrees off frontal first */
 };
 
 /** What one unit of the scan is. */
@@ -34,6 +34,13 @@ enum {
         0, /**< metres, deci- and centimetres and inches are recognised by size and scaled */
     MIEN_UNITS_MILLIMETRES = 1,
     MIEN_UNITS_REFUSE = 2 /**< anything that does not look like millimetres is an error */
+};
+
+/** What is done about landmarks whose left and right are exchanged. */
+enum {
+    MIEN_SIDES_REFUSE = 0, /**< MIEN_E_MISMATCH that names them */
+    MIEN_SIDES_MEND = 1,   /**< exchange them back and say so in the report */
+    MIEN_SIDES_IGNORE = 2
 };
 
 /** Initialise with mien_register_options_init(). */
@@ -67,6 +74,10 @@ typedef struct mien_register_options {
                                be shut; 0: by form alone. Needs landmarks of the 68-point scheme in
                                the model (brow_*, mouth_outer_*, eye_*) or its zone "lips" */
     uint32_t reserved;      /**< zero */
+    double unit_to_mm; /**< one unit of the scan in mm when it is known, e.g. 25.4; 0 (default):
+                          by `units` and by the landmarks, which settle it */
+    int32_t landmark_sides; /**< MIEN_SIDES_*; default refuse */
+    uint32_t reserved2;     /**< zero */
 } mien_register_options;
 
 /** How far a fit is to be trusted. */
@@ -127,14 +138,15 @@ MIEN_API void MIEN_CALL mien_register_options_init(mien_register_options* option
  * @param session [in] not null.
  * @param model   [in] not null.
  * @param scan    [in] not null; a surface or a cloud of points, any connectivity, any frame; its
- * unit is detected (options.units). Up to 60 degrees off frontal without landmarks.
+ * unit is detected (options.units), any rotation is found.
  * @param options [in] may be null: no landmarks, all defaults.
  * @param out     [out] not null; the registration, or null on failure.
  * @param error   [out] may be null.
  * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (nothing left after
- * cleaning), MIEN_E_MISMATCH (scan_weights), MIEN_E_NOT_FOUND (start by landmarks, fewer than three
- * known to the model), MIEN_E_NO_SOLUTION, MIEN_E_UNSUPPORTED_OPTION, MIEN_E_MEMORY_BUDGET,
- * MIEN_E_NO_MEMORY, MIEN_E_CANCELLED, MIEN_E_CALLBACK
+ * cleaning), MIEN_E_MISMATCH (scan_weights; landmarks whose left and right are exchanged),
+ * MIEN_E_NOT_FOUND (start by landmarks, fewer than three known to the model), MIEN_E_NO_SOLUTION,
+ * MIEN_E_UNSUPPORTED_OPTION, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED,
+ * MIEN_E_CALLBACK
  * @owner  the caller releases *out with mien_registration_release()
  * @thread externally synchronized by session
  * @cancel yes

@@ -63,6 +63,8 @@ Progress progress_bar();
 nlohmann::json print_template_check(const Session& session, const Mesh& mesh,
                                     const std::string& path, const std::string& landmarks,
                                     bool mirror, const std::string& picture);
+/// mm per "mm", "cm", "dm", "m", "km", "in" or "ft"; throws std::runtime_error for another name.
+double unit_in_mm(const std::string& name);
 /// `mien model check`.
 void add_template_check(CLI::App& model);
 

@@ -81,6 +81,8 @@ void run_convert(const MeshArguments& arguments) {
     finish(session, arguments, "converted", mesh, mesh);
 }
 
+}  // namespace
+
 double unit_in_mm(const std::string& name) {
     static const std::vector<std::pair<std::string, double>> units = {
         {"mm", 1},    {"cm", 10},     {"dm", 100},   {"m", 1000},    {"km", 1e6},
@@ -89,6 +91,8 @@ double unit_in_mm(const std::string& name) {
         if (known == name) return to_mm;
     throw std::runtime_error("--units " + name + ": use mm, cm, dm, m, km, in or ft");
 }
+
+namespace {
 
 void run_scale(const MeshArguments& arguments) {
     double factor = arguments.factor;

@@ -11,9 +11,15 @@ struct RegisterArguments {
     double landmark_sigma = 2;
     std::string units = "detect", start = "automatic";
     int max_modes = -1, max_pca_modes = -1, iterations = 0;
-    bool no_close_gap = false, no_colors = false;
+    bool no_close_gap = false, no_colors = false, mend_landmarks = false;
     Common common;
 };
+
+std::string number_text(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%g", value);
+    return text;
+}
 
 int choice(const std::string& value, const std::vector<std::string>& names) {
     return static_cast<int>(std::find(names.begin(), names.end(), value) - names.begin());
@@ -48,7 +54,11 @@ void run_register(const RegisterArguments& arguments) {
     else if (arguments.weights != "none")
         options.scan_weights = read_weights(arguments.weights, "weights");
     options.c.growth = choice(arguments.growth, {"constant", "linear", "exponential", "cubic"});
-    options.c.units = choice(arguments.units, {"detect", "mm", "refuse"});
+    if (arguments.units == "detect" || arguments.units == "refuse")
+        options.c.units = arguments.units == "detect" ? MIEN_UNITS_DETECT : MIEN_UNITS_REFUSE;
+    else
+        options.c.unit_to_mm = unit_in_mm(arguments.units);
+    if (arguments.mend_landmarks) options.c.landmark_sides = MIEN_SIDES_MEND;
     options.c.start = choice(arguments.start, {"automatic", "landmarks", "pose", "search"});
     options.c.landmark_sigma_mm = arguments.landmark_sigma;
     options.c.max_scalar_modes = arguments.max_modes;
@@ -73,6 +83,9 @@ void run_register(const RegisterArguments& arguments) {
     if (!arguments.heatmap.empty()) write_heatmap(arguments.heatmap, fit);
     std::string line = "quality " + report["quality"].get<std::string>();
     for (const auto& reason : report["reasons"]) line += "; " + reason.get<std::string>();
+    for (const auto& note : report["notes"]) line += "; note: " + note.get<std::string>();
+    if (const double unit = report["unit_to_mm"]; unit != 1)
+        line += "; unit of the scan: " + number_text(unit) + " mm";
     std::puts(line.c_str());
 }
 
@@ -148,9 +161,12 @@ void add_registration_commands(CLI::App& app) {
         ->capture_default_str();
     command
         ->add_option("--units", arguments->units,
-                     "detect the scan's unit, take it as mm, or refuse others")
-        ->check(CLI::IsMember({"detect", "mm", "refuse"}))
+                     "detect the scan's unit, name it (mm, cm, dm, m, km, in, ft), or refuse "
+                     "all but mm")
+        ->check(CLI::IsMember({"detect", "refuse", "mm", "cm", "dm", "m", "km", "in", "ft"}))
         ->capture_default_str();
+    command->add_flag("--mend-landmarks", arguments->mend_landmarks,
+                      "exchange landmarks back whose left and right are exchanged");
     command->add_option("--start", arguments->start, "where the fit begins")
         ->check(CLI::IsMember({"automatic", "landmarks", "search"}))
         ->capture_default_str();

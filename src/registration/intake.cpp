@@ -31,6 +31,16 @@ Vector weigh_vertices(const CleanedMesh& cleaned, const IntakeSettings& settings
     return weight;
 }
 
+void make_windings_alike(TriMesh& mesh, const WindingSettings& settings, PreparedScan& scan,
+                         const Context& context) {
+    const WindingReport report = make_windings_consistent(mesh, settings, context);
+    scan.outward = report.outward;
+    scan.num_turned = static_cast<Index>(report.turned.size());
+    if (report.turned.empty()) return;
+    scan.turned.assign(static_cast<std::size_t>(mesh.triangles.rows()), 0);
+    for (const std::uint32_t t : report.turned) scan.turned[t] = 1;
+}
+
 }  // namespace
 
 PreparedScan prepare_scan(const TriMesh& raw, const IntakeSettings& settings,
@@ -38,8 +48,11 @@ PreparedScan prepare_scan(const TriMesh& raw, const IntakeSettings& settings,
     check_weights(settings.weight_per_vertex, raw.vertices.rows());
     CleanedMesh cleaned = clean_mesh(raw, CleaningOptions(), context);
     PreparedScan scan;
-    scan.unit_to_mm = choose_unit_mm(cleaned.mesh.vertices, settings.units, settings.unit);
+    scan.unit_to_mm = settings.unit_to_mm > 0
+                          ? settings.unit_to_mm
+                          : choose_unit_mm(cleaned.mesh.vertices, settings.units, settings.unit);
     cleaned.mesh.vertices *= scan.unit_to_mm;
+    make_windings_alike(cleaned.mesh, settings.windings, scan, context);
     scan.surface = build_scan_surface(cleaned.mesh, settings.surface, context);
     scan.surface.weight = weigh_vertices(cleaned, settings);
     if (cleaned.mesh.colors.rows() == scan.surface.vertices.rows())

@@ -34,6 +34,10 @@ Verdict find_verdict(const FinishedStages& stages, const Points& normals,
     Verdict verdict;
     verdict.unit_to_mm = stages.scan.unit_to_mm;
     verdict.search_score = stages.start.search_score;
+    verdict.searched = stages.start.searched;
+    verdict.turned_over = stages.start.scan.turned_over();
+    verdict.turned_triangles = static_cast<int>(stages.scan.num_turned);
+    verdict.notes = stages.start.notes;
     verdict.landmarks_rejected = stages.start.rejected;
     verdict.repaired_triangles = static_cast<int>(stages.gap.undone + folds.before - folds.after);
     verdict.flipped_triangles = static_cast<int>(folds.after);
@@ -67,7 +71,10 @@ RegistrationResult make_result(const FinishedStages& stages, const RegistrationS
                                                  : trace.weight;
     find_residuals(stages, normals, result, context);
     result.verdict = find_verdict(stages, normals, result.correspondence, settings, context);
-    for (SurfaceHit& hit : result.correspondence) hit.triangle = stages.scan.raw_primitive(hit);
+    for (SurfaceHit& hit : result.correspondence) {
+        hit.barycentric = stages.scan.raw_barycentric(hit);
+        hit.triangle = stages.scan.raw_primitive(hit);
+    }
     result.energy = trace.energy;
     result.iterations = trace.rounds;
     result.sigma_mm = trace.sigma_mm;

@@ -33,6 +33,7 @@ std::string registration_json(const RegistrationResult& result) {
     json.begin_object();
     json.field("quality", quality_name(v.quality));
     json.field("reasons", v.reasons);
+    json.field("notes", v.notes);
     json.field("coverage", v.coverage);
     json.field("inlier_share", v.inlier_share);
     json.field("mean_residual_mm", v.mean_residual_mm);
@@ -46,6 +47,8 @@ std::string registration_json(const RegistrationResult& result) {
     json.field("repaired_triangles", v.repaired_triangles);
     json.field("self_intersections", v.self_intersections);
     json.field("search_score", v.search_score);
+    json.field("turned_over", v.turned_over);
+    json.field("turned_triangles", v.turned_triangles);
     json.field("unit_to_mm", v.unit_to_mm);
     json.key("color_agreement").begin_object();
     for (const ColorAgreement& feature : v.colors) json.field(feature.name, feature.correlation);

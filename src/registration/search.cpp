@@ -158,6 +158,7 @@ std::vector<Vector3> find_summits(const ScanView& scan, const std::vector<Index>
 struct Candidate {
     Similarity motion;
     double score = 0;
+    bool exists = false;  // the rotation has so many summits
 };
 
 // Best first; equal ones in their order.
@@ -166,58 +167,146 @@ void rank(std::vector<Candidate>& candidates) {
                      [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
 }
 
-}  // namespace
+struct Probes {
+    Probe coarse, fine;
+};
 
-SearchResult search_pose(const DeformationModel& model, const ScanView& scan,
-                         const SearchSettings& settings, const Context& context) {
-    const Probe coarse = make_probe(model, settings.coarse, settings.probe_facing),
-                fine = make_probe(model, settings.fine, settings.probe_facing);
-    if (coarse.places.rows() < settings.fewest_probes)
+Probes make_probes(const DeformationModel& model, const SearchSettings& settings) {
+    Probes probes{make_probe(model, settings.coarse, settings.probe_facing),
+                  make_probe(model, settings.fine, settings.probe_facing)};
+    if (probes.coarse.places.rows() < settings.fewest_probes)
         fail(Status::no_solution,
              "the template shows no face towards +z; give landmarks or a pose");
+    return probes;
+}
+
+// Each rotation with the template's tip at each of the scan's summits.
+std::vector<Candidate> start_candidates(const Probes& probes, const ScanView& scan,
+                                        const std::vector<Matrix3>& rotations,
+                                        const SearchSettings& settings, const Context& context) {
     const std::vector<Index> thin = thin_out(scan, settings.scan_vertices);
-    const std::vector<Matrix3> rotations = rotation_grid(settings.range_deg * kRadiansPerDegree,
-                                                         settings.step_deg * kRadiansPerDegree);
     const std::size_t most = static_cast<std::size_t>(settings.summits);
-    std::vector<Candidate> candidates(rotations.size() * most);
+    std::vector<std::vector<Vector3>> summits(rotations.size());
     parallel_for(context, rotations.size(), 4, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k)
+            summits[k] = find_summits(scan, thin, rotations[k] * Vector3::UnitZ(), settings);
+    });
+    std::vector<Candidate> candidates(rotations.size() * most);
+    for (std::size_t k = 0; k < rotations.size(); ++k)
+        for (std::size_t s = 0; s < summits[k].size(); ++s) {
+            Candidate& candidate = candidates[k * most + s];
+            candidate.motion.rotation = rotations[k];
+            candidate.motion.translation = summits[k][s] - rotations[k] * probes.coarse.tip;
+            candidate.exists = true;
+        }
+    return candidates;
+}
+
+void sharpen_all(const Probes& probes, const ScanView& scan, const SearchSettings& settings,
+                 std::vector<Candidate>& candidates, const Context& context) {
+    const std::size_t chunk = 16;
+    parallel_for(context, candidates.size(), chunk, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
-            const std::vector<Vector3> summits =
-                find_summits(scan, thin, rotations[k] * Vector3::UnitZ(), settings);
-            for (std::size_t s = 0; s < summits.size(); ++s) {
-                Candidate& candidate = candidates[k * most + s];
-                candidate.motion.rotation = rotations[k];
-                candidate.motion.translation = summits[s] - rotations[k] * coarse.tip;
-                candidate.motion =
-                    sharpen(coarse, scan, candidate.motion, settings.first, settings);
-                candidate.score =
-                    score(coarse, scan, candidate.motion, settings.coarse_scale_mm, settings);
-            }
+            Candidate& candidate = candidates[k];
+            if (!candidate.exists) continue;
+            candidate.motion =
+                sharpen(probes.coarse, scan, candidate.motion, settings.first, settings);
+            candidate.score =
+                score(probes.coarse, scan, candidate.motion, settings.coarse_scale_mm, settings);
         }
     });
-    context.progress(Stage::alignment, 0.3);
+}
+
+SearchResult refine_best(const Probes& probes, const ScanView& scan, const SearchSettings& settings,
+                         std::vector<Candidate> candidates, const Context& context) {
     rank(candidates);
     candidates.resize(std::min(candidates.size(), settings.candidates));
     parallel_for(context, candidates.size(), 1, [&](std::size_t k, std::size_t) {
         Candidate& candidate = candidates[k];
-        candidate.motion = sharpen(coarse, scan, candidate.motion, settings.second, settings);
-        candidate.motion = sharpen(fine, scan, candidate.motion, settings.third, settings);
-        candidate.score = score(fine, scan, candidate.motion, settings.fine_scale_mm, settings);
+        candidate.motion =
+            sharpen(probes.coarse, scan, candidate.motion, settings.second, settings);
+        candidate.motion = sharpen(probes.fine, scan, candidate.motion, settings.third, settings);
+        candidate.score =
+            score(probes.fine, scan, candidate.motion, settings.fine_scale_mm, settings);
     });
     rank(candidates);
-    context.progress(Stage::alignment, 0.45);
     return {candidates.front().motion, candidates.front().score};
+}
+
+// The 24 turns of the cube: every rotation lies within 63 degrees of one.
+std::vector<Matrix3> cube_rotations() {
+    std::vector<Matrix3> turns;
+    for (int x = 0; x < 3; ++x)
+        for (int y = 0; y < 3; ++y)
+            for (int signs = 0; signs < 4 && x != y; ++signs) {
+                Matrix3 turn = Matrix3::Zero();
+                turn(x, 0) = signs % 2 == 0 ? 1 : -1;
+                turn(y, 1) = signs / 2 == 0 ? 1 : -1;
+                turn.col(2) = Vector3(turn.col(0)).cross(Vector3(turn.col(1)));
+                turns.push_back(turn);
+            }
+    return turns;
+}
+
+}  // namespace
+
+SearchResult search_pose(const DeformationModel& model, const ScanView& scan,
+                         const SearchSettings& settings, const Context& context) {
+    const Probes probes = make_probes(model, settings);
+    std::vector<Candidate> candidates =
+        start_candidates(probes, scan,
+                         rotation_grid(settings.range_deg * kRadiansPerDegree,
+                                       settings.step_deg * kRadiansPerDegree),
+                         settings, context);
+    sharpen_all(probes, scan, settings, candidates, context);
+    context.progress(Stage::alignment, 0.3);
+    const SearchResult found = refine_best(probes, scan, settings, std::move(candidates), context);
+    context.progress(Stage::alignment, 0.45);
+    return found;
+}
+
+SearchResult search_all_poses(const DeformationModel& model, const ScanView& scan,
+                              const SearchSettings& settings, const Context& context) {
+    const Probes probes = make_probes(model, settings);
+    const std::vector<Matrix3> near = rotation_grid(settings.range_deg * kRadiansPerDegree,
+                                                    settings.all_step_deg * kRadiansPerDegree);
+    std::vector<Matrix3> rotations;
+    for (const Matrix3& turn : cube_rotations())
+        for (const Matrix3& rotation : near) rotations.push_back(turn * rotation);
+    std::vector<Candidate> candidates =
+        start_candidates(probes, scan, rotations, settings, context);
+    const std::size_t chunk = 64;
+    parallel_for(context, candidates.size(), chunk, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k)
+            if (candidates[k].exists)
+                candidates[k].score = score(probes.coarse, scan, candidates[k].motion,
+                                            settings.all_scale_mm, settings);
+    });
+    rank(candidates);
+    candidates.resize(std::min(candidates.size(), settings.all_candidates));
+    sharpen_all(probes, scan, settings, candidates, context);
+    return refine_best(probes, scan, settings, std::move(candidates), context);
 }
 
 SearchResult search_pose_and_side(const DeformationModel& model, ScanView& scan,
                                   const SearchSettings& settings, const Context& context) {
-    const SearchResult found = search_pose(model, scan, settings, context);
+    SearchResult found = search_pose(model, scan, settings, context);
+    if (found.score >= settings.sure) return found;
+    Context quiet = context;  // further searches would report the first one's fractions again
+    quiet.progress_function = nullptr;
+    const auto better = [&](const SearchResult& other) {
+        return other.score > found.score + settings.turned_by;
+    };
+    const SearchResult anywhere = search_all_poses(model, scan, settings, quiet);
+    if (better(anywhere)) found = anywhere;
     if (found.score >= settings.good) return found;
     scan.turn_over();
-    Context quiet = context;  // the second search would report the first one's fractions again
-    quiet.progress_function = nullptr;
-    const SearchResult turned = search_pose(model, scan, settings, quiet);
-    if (turned.score > found.score + settings.turned_by) return turned;
+    SearchResult turned = search_pose(model, scan, settings, quiet);
+    if (turned.score < settings.sure) {
+        const SearchResult turned_anywhere = search_all_poses(model, scan, settings, quiet);
+        if (turned_anywhere.score > turned.score + settings.turned_by) turned = turned_anywhere;
+    }
+    if (better(turned)) return turned;
     scan.turn_over();
     return found;
 }

@@ -42,6 +42,11 @@ struct SearchSettings {
     std::size_t candidates = 12;  ///< >= 1: sharpened further
     double good = 0.45;           ///< 0 to 1: below, the scan is tried turned inside out
     double turned_by = 0.05;      ///< >= 0: by how much that must score higher
+    // All rotations, when the frontal ones find nothing sure
+    double sure = 0.75;                ///< 0 to 1: below, all rotations are tried too
+    double all_step_deg = 33;          ///< deg, > 0: between them, about each turn of the cube
+    double all_scale_mm = 15;          ///< mm, > 0: of the first score, without sharpening
+    std::size_t all_candidates = 150;  ///< >= 1: sharpened after that
 };
 
 struct SearchResult {
@@ -54,8 +59,12 @@ struct SearchResult {
 SearchResult search_pose(const DeformationModel& model, const ScanView& scan,
                          const SearchSettings& settings, const Context& context);
 
-/// The same, and when nothing good is found the scan may be `scan.turn_over()`ed: its triangles may
-/// face inwards.
+/// Searches all rotations and any shift. Deterministic; three times the cost.
+SearchResult search_all_poses(const DeformationModel& model, const ScanView& scan,
+                              const SearchSettings& settings, const Context& context);
+
+/// Frontal rotations first, all when these find nothing sure. When nothing good is found the scan
+/// may be `scan.turn_over()`ed: its triangles may face inwards.
 SearchResult search_pose_and_side(const DeformationModel& model, ScanView& scan,
                                   const SearchSettings& settings, const Context& context);
 

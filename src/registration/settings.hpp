@@ -11,12 +11,14 @@
 #include "registration/confidence.hpp"
 #include "registration/gap.hpp"
 #include "registration/inner_parts.hpp"
+#include "registration/landmark_frame.hpp"
 #include "registration/verdict.hpp"
 
 namespace mien {
 
 struct RegistrationSettings {
     IntakeSettings intake;
+    LandmarkFrameSettings frame;
     PriorSettings prior;
     ColorFeatureSettings colors;
     InnerSettings inner;

@@ -62,11 +62,34 @@ void find_motion(const DeformationModel& model, StartKind kind, const std::vecto
             const SearchResult found =
                 search_pose_and_side(model, start.scan, settings.search, context);
             start.search_score = found.score;
+            start.searched = true;
             start.motion = found.motion;
             break;
         }
     }
     start.state.motion = start.motion;
+}
+
+// Landmarks of exchanged sides are refused, or mended when the host asked for that.
+void settle_sides(const DeformationModel& model, bool with_scale, const StartSettings& settings,
+                  NamedPins& matched, StartState& start) {
+    if (settings.sides.rule == SideRule::ignore) return;
+    const ExchangedSides sides =
+        find_exchanged_sides(model, matched.pins, with_scale, settings.sides, settings.alignment);
+    if (sides.pins.empty()) return;
+    const std::string text = describe(sides, matched.names);
+    if (settings.sides.rule == SideRule::refuse)
+        fail(Status::mismatch, "%s; exchange them, or ask for mended landmark sides", text.c_str());
+    for (const std::size_t k : sides.pins) matched.pins[k].vertex = sides.partner_vertex[k];
+    start.notes.push_back(text + "; they were exchanged back");
+}
+
+void reject(const std::vector<std::size_t>& ascending, NamedPins& matched, StartState& start) {
+    for (auto k = ascending.rbegin(); k != ascending.rend(); ++k) {
+        start.rejected.push_back(matched.names[*k]);
+        matched.pins.erase(matched.pins.begin() + static_cast<std::ptrdiff_t>(*k));
+        matched.names.erase(matched.names.begin() + static_cast<std::ptrdiff_t>(*k));
+    }
 }
 
 // Weighs the pins and the kernel against each other, leaves contradicted pins out, and deforms
@@ -77,27 +100,49 @@ void use_pins(const DeformationModel& model, const PriorState& prior, StartKind 
     std::vector<Pin>& pins = matched.pins;
     if (pins.empty()) return;
     FitState& state = start.state;
+    const auto align_again = [&] {
+        if (kind == StartKind::landmarks && pins.size() >= StartState::kFewestPins)
+            state.motion = align_pins(model, pins, prior.freedom.scale, settings.alignment);
+    };
+    const std::vector<std::size_t> gross = gross_pins(model, pins, state.motion, settings.gross);
+    if (!gross.empty()) {
+        reject(gross, matched, start);
+        align_again();
+    }
+    // What is estimated from a wrong landmark is wrong: after each rejection all begins anew, as if
+    // the rejected had never been given.
+    const double amplitude_before = state.kernel_amplitude;
+    const std::size_t most =
+        std::max<std::size_t>(1, pins.size() / settings.pin_prior.reject_one_in);
+    std::size_t num_contradicted = 0;
     const double pca_amplitude = prior.pin_pca_amplitude();
-    if (!prior.amplitude_given) {
-        const PinFactors likeliest = weigh_pins(model, pins, state.motion, state.kernel_amplitude,
-                                                pca_amplitude, settings.pin_prior);
-        state.kernel_amplitude *= likeliest.amplitude;
-        for (Pin& pin : pins) pin.sigma_mm *= likeliest.noise;
-        context.log(LogLevel::debug, "kernel amplitude %.3f, picking error times %.2f",
-                    state.kernel_amplitude, likeliest.noise);
+    for (;;) {
+        std::vector<Pin> weighed = pins;
+        state.kernel_amplitude = amplitude_before;
+        if (!prior.amplitude_given) {
+            const PinFactors likeliest =
+                weigh_pins(model, weighed, state.motion, state.kernel_amplitude, pca_amplitude,
+                           settings.pin_prior);
+            state.kernel_amplitude *= likeliest.amplitude;
+            for (Pin& pin : weighed) pin.sigma_mm *= likeliest.noise;
+            context.log(LogLevel::debug, "kernel amplitude %.3f, picking error times %.2f",
+                        state.kernel_amplitude, likeliest.noise);
+        }
+        std::vector<std::size_t> rejected =
+            contradicting_pins(model, weighed, state.motion, state.kernel_amplitude, pca_amplitude,
+                               settings.pin_prior);
+        num_contradicted += rejected.size();
+        if (rejected.empty() || num_contradicted > most) {
+            start.pins = std::move(weighed);
+            break;
+        }
+        std::sort(rejected.begin(), rejected.end());
+        reject(rejected, matched, start);
+        align_again();
+        if (pins.empty()) break;
     }
-    std::vector<std::size_t> rejected = contradicting_pins(
-        model, pins, state.motion, state.kernel_amplitude, pca_amplitude, settings.pin_prior);
-    std::sort(rejected.rbegin(), rejected.rend());
-    for (const std::size_t k : rejected) {
-        start.rejected.push_back(matched.names[k]);
-        pins.erase(pins.begin() + static_cast<std::ptrdiff_t>(k));
-    }
-    start.pins = pins;
     if (start.is_free()) return;
-    if (!rejected.empty() && kind == StartKind::landmarks)
-        state.motion = align_pins(model, pins, prior.freedom.scale, settings.alignment);
-    fit_pins(model, pins, prior.freedom, settings.pin_fit, state, context);
+    fit_pins(model, start.pins, prior.freedom, settings.pin_fit, state, context);
 }
 
 // Share of places near the scan whose normals oppose it.
@@ -118,15 +163,20 @@ double opposed_share(const DeformationModel& model, const ScanView& scan, const 
     return near > 0 ? static_cast<double>(opposed) / static_cast<double>(near) : 0;
 }
 
-// Turns the scan over when the shape of a start without a search faces its inside.
-void face_outwards(const DeformationModel& model, const FacingSettings& settings, StartState& start,
-                   const Context& context) {
+// Turns the scan over when the shape of a start without a search faces its inside, unless the scan
+// plainly faces outwards: then it is the landmarks that lie.
+void face_outwards(const DeformationModel& model, const FacingSettings& settings, double outward,
+                   bool from_landmarks, StartState& start, const Context& context) {
     const Points& rest = model.template_mesh.vertices;
     const Points shaped = start.state.places.rows() == rest.rows()
                               ? start.state.places
                               : Points(start.state.motion.apply(PointsRef(rest)));
-    if (opposed_share(model, start.scan, shaped, settings, context) > settings.opposed)
-        start.scan.turn_over();
+    if (!(opposed_share(model, start.scan, shaped, settings, context) > settings.opposed)) return;
+    if (from_landmarks && outward > settings.outward)
+        fail(Status::mismatch,
+             "by its landmarks the face would look into the head: the landmarks are mirrored (left "
+             "and right are exchanged in their names), or the scan is mirrored");
+    start.scan.turn_over();
 }
 
 }  // namespace
@@ -135,14 +185,19 @@ StartState find_start(const DeformationModel& model, const PreparedScan& scan,
                       const PriorState& prior, const std::vector<LandmarkPoint>& landmarks,
                       const StartSettings& settings, const LoopSettings& fit,
                       const Context& context) {
-    StartState start{ScanView(scan.surface), prior.state_at_rest(), {}, {}, {}, {}, {}, 0};
+    StartState start{
+        ScanView(scan.surface), prior.state_at_rest(), {}, {}, {}, {}, {}, 0, false, {}};
     NamedPins matched = match_landmarks(model, landmarks, scan.unit_to_mm,
                                         settings.landmark_sigma_mm, start.unknown);
     const StartKind kind = choose_kind(settings.kind, matched.pins.size(), landmarks.size());
+    if (kind == StartKind::landmarks)
+        settle_sides(model, prior.freedom.scale, settings, matched, start);
     find_motion(model, kind, matched.pins, prior.freedom.scale, settings, start, context);
     use_pins(model, prior, kind, std::move(matched), settings, start, context);
     context.progress(Stage::alignment, 0.9);
-    if (kind != StartKind::search) face_outwards(model, settings.facing, start, context);
+    if (kind != StartKind::search)
+        face_outwards(model, settings.facing, scan.outward, kind == StartKind::landmarks, start,
+                      context);
     start.held = start.pins;
     if (start.is_free()) {
         const std::vector<Pin> no_pins;

@@ -8,7 +8,9 @@
 
 #include "registration/align_pins.hpp"
 #include "registration/free_start.hpp"
+#include "registration/gross_pins.hpp"
 #include "registration/intake.hpp"
+#include "registration/landmark_sides.hpp"
 #include "registration/pin_prior.hpp"
 #include "registration/search.hpp"
 #include "registration/shut_lids.hpp"
@@ -28,6 +30,8 @@ struct FacingSettings {
     double reach_mm = 10;       ///< mm, > 0: places farther from the scan are not asked [J]
     double least_cosine = 0.3;  ///< 0 to 1: normals across each other say nothing [J]
     double opposed = 0.6;       ///< 0 to 1: the scan is turned over when a larger share opposes [J]
+    double outward = 0.3;  ///< 0 to 1: a scan that faces outwards so clearly is not inside out:
+                           ///< then the landmarks are mirrored [J]
 };
 
 struct StartSettings {
@@ -35,6 +39,8 @@ struct StartSettings {
     Similarity pose;               ///< template -> scan (mm), for StartKind::pose
     double landmark_sigma_mm = 2;  ///< mm, > 0: picking error per axis [J]
     PinAlignmentSettings alignment;
+    SideSettings sides;
+    GrossPinSettings gross;
     PinPriorSettings pin_prior;
     PinFitSettings pin_fit;
     SearchSettings search;
@@ -53,6 +59,8 @@ struct StartState {
     std::vector<std::string> unknown;   ///< landmarks that the model does not name
     std::vector<std::string> rejected;  ///< landmarks that the others contradict
     double search_score = 0;            ///< 0 to 1, of a search; 0 without one
+    bool searched = false;
+    std::vector<std::string> notes;  ///< what was settled or mended on the way
 
     /// No landmarks hold the fit along the skin.
     bool is_free() const { return pins.size() < kFewestPins; }

@@ -1,10 +1,10 @@
 // What one unit of a scan is in millimetres, by the size of what was scanned: a face alone measures
-// about 200 mm across corners, a bust 700.
+// about 200 mm across corners, a bust 700. Landmarks and a face that was found settle it better
+// (landmark_frame.hpp, registration.cpp).
 #pragma once
 
-#include <array>
-
 #include "base/types.hpp"
+#include "mesh/length_unit.hpp"
 
 namespace mien {
 
@@ -16,13 +16,12 @@ enum class UnitRule : std::int32_t {
 };
 
 struct UnitSettings {
-    /// Tried in this order: mm, cm, inches, metres, dm.
-    std::array<double, 5> candidates_mm{{1.0, 10.0, 25.4, 1000.0, 100.0}};
     double smallest_mm = 110, largest_mm = 900;  ///< diagonal of the extent of a face, a bust [J]
-    Index stray = 50;  ///< one vertex in so many at each end of an axis may lie anywhere [J]
+    double usual_mm = 280;  ///< of a head: the unit that comes nearest to it is taken [J]
+    Index stray = 50;       ///< one vertex in so many at each end of an axis may lie anywhere [J]
 };
 
-/// One of the candidates; 0 when none fits a head. O(V).
+/// One of length_units(); 0 when none fits a head. O(V).
 double detect_unit_mm(const PointsRef& vertices, const UnitSettings& settings);
 
 /// The unit under `rule`; 1 when nothing fits and the rule does not refuse.

@@ -105,6 +105,16 @@ void judge(Verdict& v, const VerdictLimits& l) {
                 "the shape is implausible (%.1f standard deviations of the prior)");
     judge.limit(v.flipped_triangles, l.doubtful_flipped, l.failed_flipped, false,
                 "%.0f triangles are folded over");
+    if (v.searched)
+        judge.limit(v.search_score, l.doubtful_search, l.failed_search, true,
+                    "no face was found in any pose that agrees well enough (%.2f of 1): is this a "
+                    "face, whole and in the right unit? Landmarks would tell");
+    if (v.turned_over) {
+        if (v.quality == FitQuality::good) v.quality = FitQuality::doubtful;
+        v.reasons.emplace_back(
+            "the scan's triangles face inwards: it is inside out, or mirrored (left and right "
+            "exchanged)");
+    }
     if (v.may_slide) {
         if (v.quality == FitQuality::good) v.quality = FitQuality::doubtful;
         bool held = !v.colors.empty();

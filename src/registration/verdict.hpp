@@ -25,9 +25,13 @@ struct Verdict {
     double mean_deviation = 0;  ///< of the coefficients, in standard deviations of the prior
     int flipped_triangles = 0;  ///< against the smooth fit
     int repaired_triangles = 0;
-    int self_intersections = 0;  ///< pairs of crossing triangles (lips, lids)
-    double search_score = 0;     ///< of a start without landmarks, 0 to 1; 0 with
-    double unit_to_mm = 1;       ///< what one unit of the scan was taken for
+    int self_intersections = 0;      ///< pairs of crossing triangles (lips, lids)
+    double search_score = 0;         ///< of a start without landmarks, 0 to 1; 0 with
+    bool searched = false;           ///< the start was searched
+    bool turned_over = false;        ///< the scan's triangles face inwards
+    int turned_triangles = 0;        ///< wound against the others, and mended
+    std::vector<std::string> notes;  ///< what was mended or settled before the fit; no doubts
+    double unit_to_mm = 1;           ///< what one unit of the scan was taken for
     std::vector<ColorAgreement>
         colors;  ///< of lips and brows; empty when the scan has no colours or the model no names
     bool may_slide = false;  ///< fewer than three landmarks and no trained mode say where along the
@@ -54,6 +58,8 @@ struct VerdictLimits {
     double doubtful_deviation = 2.5, failed_deviation = 5;
     double doubtful_color = 0.8;  ///< correlation of a feature's colour: misled fits stay below
     int doubtful_flipped = 20, failed_flipped = 400;
+    /// Right poses score 0.56 to 0.95, balls, halves and backs of heads 0.33 to 0.48.
+    double doubtful_search = 0.56, failed_search = 0.52;
 };
 
 struct VerdictSettings {

@@ -75,6 +75,9 @@ MIEN_START_SEARCH = 3
 MIEN_UNITS_DETECT = 0
 MIEN_UNITS_MILLIMETRES = 1
 MIEN_UNITS_REFUSE = 2
+MIEN_SIDES_REFUSE = 0
+MIEN_SIDES_MEND = 1
+MIEN_SIDES_IGNORE = 2
 MIEN_QUALITY_GOOD = 0
 MIEN_QUALITY_DOUBTFUL = 1
 MIEN_QUALITY_FAILED = 2
@@ -357,6 +360,9 @@ class RegisterOptions(ctypes.Structure):
         ("cancel", ctypes.c_void_p),
         ("color_features", ctypes.c_int32),
         ("reserved", ctypes.c_uint32),
+        ("unit_to_mm", ctypes.c_double),
+        ("landmark_sides", ctypes.c_int32),
+        ("reserved2", ctypes.c_uint32),
     ]
 
 

@@ -1,0 +1,37 @@
+#include "registration/gross_pins.hpp"
+
+#include <algorithm>
+
+#include "registration/evidence.hpp"
+
+namespace mien {
+
+std::vector<std::size_t> gross_pins(const DeformationModel& model, const std::vector<Pin>& pins,
+                                    const Similarity& motion, const GrossPinSettings& settings) {
+    std::vector<std::size_t> gross;
+    if (!settings.enabled || pins.size() < settings.fewest) return gross;
+    std::vector<Vector3> rest, moved;
+    for (const Pin& pin : pins) {
+        rest.push_back(rest_place(model, pin.vertex));
+        moved.push_back(pin.place - motion.apply(rest.back()));
+    }
+    for (std::size_t k = 0; k < pins.size(); ++k) {
+        // At its own place within the limit, whatever the others do.
+        if (moved[k].norm() < settings.apart_mm) continue;
+        std::vector<std::pair<double, std::size_t>> near;
+        for (std::size_t j = 0; j < pins.size(); ++j)
+            if (j != k) near.push_back({(rest[j] - rest[k]).squaredNorm(), j});
+        const std::size_t count = std::min(settings.neighbours, near.size());
+        std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count),
+                          near.end());
+        bool alone = true;
+        for (std::size_t i = 0; i < count; ++i)
+            alone = alone && (moved[near[i].second] - moved[k]).norm() > settings.apart_mm;
+        if (alone) gross.push_back(k);
+    }
+    if (static_cast<double>(gross.size()) > settings.most * static_cast<double>(pins.size()))
+        gross.clear();
+    return gross;
+}
+
+}  // namespace mien

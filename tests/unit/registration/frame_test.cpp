@@ -1,0 +1,200 @@
+// What is settled before a fit: units, frames, sides, windings, wrong landmarks, any pose.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "mesh/winding.hpp"
+#include "registration/registration.hpp"
+#include "registration/report.hpp"
+#include "small_face.hpp"
+
+namespace mien {
+namespace {
+
+using namespace test;
+
+double mean_error_of(const RegistrationResult& fit, const SmallFace& face,
+                     const Similarity& motion) {
+    return (fit.fitted.vertices - motion.apply(PointsRef(face.truth))).rowwise().norm().mean();
+}
+
+std::string message_of(const SmallFace& face, const TriMesh& scan,
+                       const std::vector<LandmarkPoint>& landmarks) {
+    try {
+        register_scan(face.model, scan, landmarks, {}, {});
+    } catch (const Error& error) {
+        EXPECT_EQ(error.status(), Status::mismatch) << error.what();
+        return error.what();
+    }
+    ADD_FAILURE() << "was not refused";
+    return "";
+}
+
+/// Landmarks with every name given to the one across the face: p0 .. p4 and p10 .. p14.
+std::vector<LandmarkPoint> exchanged(std::vector<LandmarkPoint> landmarks, std::size_t count) {
+    for (std::size_t k = 0; k < count; ++k) std::swap(landmarks[k].point, landmarks[10 + k].point);
+    return landmarks;
+}
+
+TEST(LandmarkFrame, LandmarksInAnotherUnitThanTheScanAreBroughtToIt) {
+    const SmallFace face = small_face();
+    TriMesh scan = scan_of(face, Similarity());
+    const auto landmarks = landmarks_of(face, Similarity());
+    const RegistrationResult mm = register_scan(face.model, scan, landmarks, {}, {});
+    EXPECT_TRUE(mm.verdict.notes.empty());
+    for (const double unit : {1000.0, 25.4, 10.0}) {
+        TriMesh other = scan;
+        other.vertices /= unit;
+        const RegistrationResult fit = register_scan(face.model, other, landmarks, {}, {});
+        EXPECT_EQ(fit.verdict.unit_to_mm, unit);
+        EXPECT_LT((fit.fitted.vertices - mm.fitted.vertices).rowwise().norm().maxCoeff(), 0.01);
+        ASSERT_EQ(fit.verdict.notes.size(), 1u);
+        EXPECT_NE(fit.verdict.notes[0].find("another unit"), std::string::npos);
+    }
+}
+
+TEST(LandmarkFrame, AUnitThatTheHostNamesIsTaken) {
+    const SmallFace face = small_face();
+    TriMesh scan = scan_of(face, Similarity());
+    scan.vertices /= 304.8;
+    RegistrationSettings settings;
+    settings.intake.unit_to_mm = 304.8;
+    const RegistrationResult fit =
+        register_scan(face.model, scan, landmarks_of(face, Similarity()), settings, {});
+    EXPECT_EQ(fit.verdict.unit_to_mm, 304.8);
+    EXPECT_LT(mean_error_of(fit, face, Similarity()), 1.1);
+}
+
+TEST(LandmarkFrame, LandmarksInTheOtherFrameOfSlicerAreTurned) {
+    const SmallFace face = small_face();
+    const Similarity moved = motion_of(20, Vector3(1, 0, 0), Vector3(80, 120, -40));
+    auto landmarks = landmarks_of(face, moved);
+    for (LandmarkPoint& landmark : landmarks) landmark.point.head<2>() *= -1;
+    const RegistrationResult fit =
+        register_scan(face.model, scan_of(face, moved), landmarks, {}, {});
+    EXPECT_LT(mean_error_of(fit, face, moved), 1.1);
+    ASSERT_EQ(fit.verdict.notes.size(), 1u);
+    EXPECT_NE(fit.verdict.notes[0].find("RAS"), std::string::npos);
+}
+
+TEST(LandmarkSides, ExchangedNamesAreRefusedAndNamed) {
+    const SmallFace face = small_face();
+    const TriMesh scan = scan_of(face, Similarity());
+    const auto landmarks = landmarks_of(face, Similarity());
+    EXPECT_NE(message_of(face, scan, exchanged(landmarks, 5)).find("exchanged"), std::string::npos);
+}
+
+TEST(LandmarkSides, SomeExchangedNamesAreRefusedAndNamed) {
+    const SmallFace face = small_face();
+    const TriMesh scan = scan_of(face, Similarity());
+    const std::string text = message_of(face, scan, exchanged(landmarks_of(face, Similarity()), 2));
+    EXPECT_NE(text.find("p0"), std::string::npos) << text;
+    EXPECT_NE(text.find("exchanged"), std::string::npos) << text;
+}
+
+TEST(LandmarkSides, AreMendedWhenTheHostAsksForIt) {
+    const SmallFace face = small_face();
+    const TriMesh scan = scan_of(face, Similarity());
+    const auto landmarks = landmarks_of(face, Similarity());
+    RegistrationSettings settings;
+    settings.start.sides.rule = SideRule::mend;
+    const RegistrationResult right = register_scan(face.model, scan, landmarks, settings, {});
+    for (const std::size_t count : {std::size_t{2}, std::size_t{5}}) {
+        const RegistrationResult fit =
+            register_scan(face.model, scan, exchanged(landmarks, count), settings, {});
+        EXPECT_LT((fit.fitted.vertices - right.fitted.vertices).rowwise().norm().maxCoeff(), 1e-6);
+        ASSERT_EQ(fit.verdict.notes.size(), 1u);
+    }
+}
+
+TEST(LandmarkSides, AMirroredScanWithItsLandmarksIsRefused) {
+    const SmallFace face = small_face();
+    TriMesh scan = scan_of(face, Similarity());
+    auto landmarks = landmarks_of(face, Similarity());
+    scan.vertices.col(0) *= -1;
+    for (LandmarkPoint& landmark : landmarks) landmark.point[0] *= -1;
+    EXPECT_NE(message_of(face, scan, landmarks).find("mirrored"), std::string::npos);
+}
+
+TEST(Windings, AnInsideOutScanIsFittedAndSaidToBe) {
+    const SmallFace face = small_face();
+    TriMesh scan = scan_of(face, Similarity());
+    turn_over(scan);
+    const RegistrationResult fit =
+        register_scan(face.model, scan, landmarks_of(face, Similarity()), {}, {});
+    EXPECT_LT(mean_error_of(fit, face, Similarity()), 1.1);
+    EXPECT_EQ(fit.verdict.quality, FitQuality::doubtful);
+    std::string reasons;
+    for (const std::string& reason : fit.verdict.reasons) reasons += reason;
+    EXPECT_NE(reasons.find("inside out"), std::string::npos) << reasons;
+}
+
+TEST(Windings, AStripWoundTheOtherWayCostsNothing) {
+    const SmallFace face = small_face();
+    const TriMesh scan = scan_of(face, Similarity());
+    TriMesh strip = scan;
+    for (Index t = 300; t < 900; ++t) std::swap(strip.triangles(t, 1), strip.triangles(t, 2));
+    const auto landmarks = landmarks_of(face, Similarity());
+    const RegistrationResult right = register_scan(face.model, scan, landmarks, {}, {});
+    const RegistrationResult fit = register_scan(face.model, strip, landmarks, {}, {});
+    EXPECT_EQ(fit.fitted.vertices, right.fitted.vertices);
+    EXPECT_EQ(fit.verdict.quality, right.verdict.quality);
+    EXPECT_GT(fit.verdict.turned_triangles, 500);
+    // The correspondence is told in the raw scan's corners.
+    for (std::size_t v = 0; v < fit.correspondence.size(); ++v) {
+        const SurfaceHit& hit = fit.correspondence[v];
+        Vector3 place = Vector3::Zero();
+        for (int k = 0; k < 3; ++k)
+            place += hit.barycentric[k] *
+                     strip.vertices.row(strip.triangles(static_cast<Index>(hit.triangle), k))
+                         .transpose();
+        EXPECT_LT((place - hit.point).norm(), 1e-6);
+    }
+}
+
+TEST(WrongLandmarks, CostNoMoreThanLeavingThemOut) {
+    const SmallFace face = small_face();
+    const TriMesh scan = scan_of(face, Similarity());
+    const auto landmarks = landmarks_of(face, Similarity());
+    for (const std::vector<std::size_t>& wrong :
+         {std::vector<std::size_t>{4}, std::vector<std::size_t>{1, 6, 8, 12, 14}}) {
+        auto given = landmarks;
+        std::vector<LandmarkPoint> left;
+        for (std::size_t k = 0; k < landmarks.size(); ++k) {
+            if (std::find(wrong.begin(), wrong.end(), k) == wrong.end())
+                left.push_back(landmarks[k]);
+            else
+                given[k].point = Vector3(17.0 * static_cast<double>(k) - 150, -90,
+                                         200 - 3.0 * static_cast<double>(k * k));
+        }
+        const RegistrationResult without = register_scan(face.model, scan, left, {}, {});
+        const RegistrationResult with = register_scan(face.model, scan, given, {}, {});
+        EXPECT_EQ(with.verdict.landmarks_rejected.size(), wrong.size());
+        EXPECT_EQ(with.fitted.vertices, without.fitted.vertices);
+    }
+}
+
+TEST(AnyPose, UpsideDownAndFacingAwayAreFound) {
+    const SmallFace face = small_face();
+    for (const Similarity& motion : {motion_of(180, Vector3(0, 0, 1), Vector3(10, 20, 30)),
+                                     motion_of(180, Vector3(0, 1, 0), Vector3(0, 0, 500)),
+                                     motion_of(180, Vector3(1, 0, 0), Vector3(-80, 0, 0)),
+                                     motion_of(137, Vector3(1, -2, 0.5), Vector3(0, 300, 0))}) {
+        const RegistrationResult fit = register_scan(face.model, scan_of(face, motion), {}, {}, {});
+        EXPECT_LT((fit.motion.rotation - motion.rotation).norm(), 0.3);
+        EXPECT_LT(fit.residual_mm.cwiseAbs().mean(), 0.3);
+    }
+}
+
+TEST(AnyPose, NothingThatLooksLikeAFaceFails) {
+    const SmallFace face = small_face();
+    TriMesh flat = face_sheet(30);
+    flat.vertices.col(2).setZero();
+    const RegistrationResult fit = register_scan(face.model, flat, {}, {}, {});
+    EXPECT_EQ(fit.verdict.quality, FitQuality::failed) << registration_json(fit);
+}
+
+}  // namespace
+}  // namespace mien
