@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <Eigen/LU>
 
@@ -7,6 +8,7 @@
 #include "mesh/cleaning.hpp"
 #include "mesh/decimation.hpp"
 #include "mesh/length_unit.hpp"
+#include "mesh/manifold.hpp"
 #include "mesh/mesh_report.hpp"
 #include "mesh/winding.hpp"
 #include "session.hpp"
@@ -105,11 +107,14 @@ mien_status MIEN_CALL mien_mesh_decimate(mien_session* session, const mien_mesh*
             fail(Status::invalid_argument, "vertex_count is %llu, the mesh has only %lld vertices",
                  static_cast<unsigned long long>(vertex_count),
                  static_cast<long long>(data.vertices.rows()));
-        DecimatedMesh coarse = decimate(data, static_cast<Index>(vertex_count), call.context());
+        const ManifoldMesh ready = make_manifold(data, call.context());
+        const Index most = std::min(static_cast<Index>(vertex_count), ready.mesh.vertices.rows());
+        DecimatedMesh coarse = decimate(ready.mesh, most, call.context());
         if (data.colors.rows() == data.vertices.rows()) {
             coarse.mesh.colors.resize(coarse.mesh.vertices.rows(), 3);
             for (std::size_t v = 0; v < coarse.kept.size(); ++v)
-                coarse.mesh.colors.row(static_cast<Index>(v)) = data.colors.row(coarse.kept[v]);
+                coarse.mesh.colors.row(static_cast<Index>(v)) =
+                    data.colors.row(ready.vertex_to_old[coarse.kept[v]]);
         }
         return make_checked_mesh(std::move(coarse.mesh));
     });

@@ -96,7 +96,8 @@ MIEN_API mien_status MIEN_CALL mien_mesh_turn_over(mien_session* session, const 
 /**
  * Collapses edges of least quadric error until vertex_count vertices are left or no collapse is
  * legal. Every vertex that stays is one of the input with its place and colour; texture
- * coordinates are dropped.
+ * coordinates are dropped. Vertices in which fans of triangles merely touch are split first;
+ * triangles that fit into no manifold go.
  *
  * @param session [in] not null.
  * @param mesh [in] not null.
@@ -104,7 +105,7 @@ MIEN_API mien_status MIEN_CALL mien_mesh_turn_over(mien_session* session, const 
  * @param out [out] not null; the mesh, or null on failure.
  * @param error [out] may be null.
  * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH,
- * MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY (not an oriented manifold: clean it first)
+ * MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY
  * @owner  the caller releases *out with mien_mesh_release()
  * @thread externally synchronized by session
  * @cancel no
