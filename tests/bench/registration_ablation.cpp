@@ -31,7 +31,7 @@ using Change = std::function<void(RegistrationSettings&)>;
 struct Ablation {
     const char* name;
     Change change;
-    bool free_only = false;  // says nothing of fits with landmarks
+    enum Of { all, free_fits, trained_models } of = all;  // other fits it does not change
 };
 
 const std::vector<Ablation>& ablations() {
@@ -59,27 +59,32 @@ const std::vector<Ablation>& ablations() {
         {"no first shape from landmarks", [](S& s) { s.start.pin_fit.rounds = 0; }},
         // Prior
         {"motion never scales", [](S& s) { s.prior.estimate_scale = 0; }},
-        {"motion always scales", [](S& s) { s.prior.estimate_scale = 1; }},
-        {"all kernel modes beside trained", [](S& s) { s.prior.max_residual_modes = 100000; }},
-        {"no kernel modes beside trained", [](S& s) { s.prior.max_residual_modes = 0; }},
-        {"kernel residual of 0.35 mm", [](S& s) { s.prior.residual_sd_mm = 0.35; }},
-        {"kernel residual of 1.4 mm", [](S& s) { s.prior.residual_sd_mm = 1.4; }},
+        {"motion always scales", [](S& s) { s.prior.estimate_scale = 1; },
+         Ablation::trained_models},
+        {"all kernel modes beside trained", [](S& s) { s.prior.max_residual_modes = 100000; },
+         Ablation::trained_models},
+        {"no kernel modes beside trained", [](S& s) { s.prior.max_residual_modes = 0; },
+         Ablation::trained_models},
+        {"kernel residual of 0.35 mm", [](S& s) { s.prior.residual_sd_mm = 0.35; },
+         Ablation::trained_models},
+        {"kernel residual of 1.4 mm", [](S& s) { s.prior.residual_sd_mm = 1.4; },
+         Ablation::trained_models},
         // After the modes
         {"gap not closed", [](S& s) { s.gap.enabled = false; }},
         {"turns of the gap kept", [](S& s) { s.gap.undo_turns = false; }},
         {"inner walls not carried", [](S& s) { s.inner.carry = false; }},
         {"folds not straightened", [](S& s) { s.folds.straighten = false; }},
         // Without landmarks
-        {"approach of one round", [](S& s) { s.start.approach.rounds = 1; }, true},
-        {"no jaw tried", [](S& s) { s.start.openings.enabled = false; }, true},
-        {"jaws by form alone", [](S& s) { s.start.openings.color_share = 0; }, true},
-        {"no lids shut", [](S& s) { s.start.lids.enabled = false; }, true},
+        {"approach of one round", [](S& s) { s.start.approach.rounds = 1; }, Ablation::free_fits},
+        {"no jaw tried", [](S& s) { s.start.openings.enabled = false; }, Ablation::free_fits},
+        {"jaws by form alone", [](S& s) { s.start.openings.color_share = 0; }, Ablation::free_fits},
+        {"no lids shut", [](S& s) { s.start.lids.enabled = false; }, Ablation::free_fits},
         {"weights as with landmarks",
          [](S& s) {
              s.fit.free.surface_weight = s.fit.loop.evidence.surface.weight;
              s.fit.free.color_weight = s.fit.loop.evidence.color.weight;
          },
-         true},
+         Ablation::free_fits},
     };
     return all;
 }
@@ -204,7 +209,8 @@ void run(const DeformationModel& model, const std::vector<Case>& cases, bool fre
         if (!is_default && !only.empty() &&
             std::find(only.begin(), only.end(), ablation.name) == only.end())
             continue;
-        if (!is_default && only.empty() && ablation.free_only && !free) continue;
+        if (ablation.of == Ablation::free_fits && !free) continue;
+        if (ablation.of == Ablation::trained_models && model.pca_modes.cols == 0) continue;
         RegistrationSettings settings;
         ablation.change(settings);
         std::vector<Errors> found;
