@@ -395,6 +395,19 @@ const mien_mesh* MIEN_CALL mien_neutralization_mesh(const mien_neutralization* n
     return is_live(neutralization) ? neutralization->mesh : nullptr;
 }
 
+mien_status MIEN_CALL mien_neutralization_get_counts(const mien_neutralization* neutralization,
+                                                     uint64_t* vertex_count,
+                                                     uint32_t* identity_modes,
+                                                     uint32_t* expression_modes,
+                                                     mien_error* error) {
+    return guarded(error, [&] {
+        const NeutralizationResult& result = checked(neutralization, "neutralization").result;
+        store(vertex_count, result.neutral_vertices.rows());
+        store(identity_modes, result.identity.size());
+        store(expression_modes, result.expression.size());
+    });
+}
+
 mien_status MIEN_CALL mien_neutralization_get_coordinates(const mien_neutralization* neutralization,
                                                           double* identity, double* expression,
                                                           mien_error* error) {

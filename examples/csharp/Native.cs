@@ -1,142 +1,9 @@
-// Structs, constants and signatures of the C headers. Written by abi/generate_bindings.py.
+// Structs and functions of the C headers. Written by abi/generate_bindings.py.
 using System;
-using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
-
-#if NET7_0_OR_GREATER
-[assembly: DisableRuntimeMarshalling]
-#endif
 
 namespace Mien.Native
 {
-    internal static class Constants
-    {
-        internal const int MIEN_OK = 0;
-        internal const int MIEN_E_INVALID_ARGUMENT = -1;
-        internal const int MIEN_E_INVALID_HANDLE = -2;
-        internal const int MIEN_E_INVALID_MESH = -3;
-        internal const int MIEN_E_BUFFER_TOO_SMALL = -4;
-        internal const int MIEN_E_UNSUPPORTED_OPTION = -5;
-        internal const int MIEN_E_UNSUPPORTED_VERSION = -6;
-        internal const int MIEN_E_NO_MEMORY = -7;
-        internal const int MIEN_E_MEMORY_BUDGET = -8;
-        internal const int MIEN_E_IO = -9;
-        internal const int MIEN_E_BAD_FORMAT = -10;
-        internal const int MIEN_E_CORRUPT = -11;
-        internal const int MIEN_E_WRONG_KIND = -12;
-        internal const int MIEN_E_MISMATCH = -13;
-        internal const int MIEN_E_NO_SOLUTION = -14;
-        internal const int MIEN_E_NOT_FOUND = -15;
-        internal const int MIEN_E_CANCELLED = -16;
-        internal const int MIEN_E_CALLBACK = -17;
-        internal const int MIEN_E_INTERNAL = -18;
-        internal const int MIEN_STAGE_READING = 1;
-        internal const int MIEN_STAGE_GEODESICS = 2;
-        internal const int MIEN_STAGE_BASIS = 3;
-        internal const int MIEN_STAGE_ALIGNMENT = 4;
-        internal const int MIEN_STAGE_FITTING = 5;
-        internal const int MIEN_STAGE_REFINING = 6;
-        internal const int MIEN_STAGE_TRAINING = 7;
-        internal const int MIEN_STAGE_NEUTRALIZING = 8;
-        internal const int MIEN_STAGE_MEASURING = 9;
-        internal const int MIEN_STAGE_WRITING = 10;
-        internal const int MIEN_LOG_ERROR = 1;
-        internal const int MIEN_LOG_WARNING = 2;
-        internal const int MIEN_LOG_INFO = 3;
-        internal const int MIEN_LOG_DEBUG = 4;
-        internal const int MIEN_DTYPE_F32 = 1;
-        internal const int MIEN_DTYPE_F64 = 2;
-        internal const int MIEN_DTYPE_I32 = 3;
-        internal const int MIEN_DTYPE_U32 = 4;
-        internal const int MIEN_DTYPE_U8 = 5;
-        internal const int MIEN_MASS_MIXED_VORONOI = 0;
-        internal const int MIEN_MASS_BARYCENTRIC = 1;
-        internal const int MIEN_MASS_NONE = 2;
-        internal const int MIEN_COTANGENTS_INTRINSIC_DELAUNAY = 0;
-        internal const int MIEN_COTANGENTS_CLAMP = 1;
-        internal const int MIEN_COTANGENTS_KEEP = 2;
-        internal const int MIEN_METRIC_L1 = 1;
-        internal const int MIEN_METRIC_L2 = 2;
-        internal const int MIEN_METRIC_HAUSDORFF = 3;
-        internal const int MIEN_METRIC_DAME = 4;
-        internal const int MIEN_METRIC_FMPD = 5;
-        internal const int MIEN_KERNEL_NONE = 0;
-        internal const int MIEN_KERNEL_EUCLIDEAN_SE = 1;
-        internal const int MIEN_KERNEL_GEODESIC_SE = 2;
-        internal const int MIEN_KERNEL_BSPLINE = 3;
-        internal const int MIEN_KERNEL_SURFACE_MATERN = 4;
-        internal const int MIEN_HEAT_NEUMANN = 1;
-        internal const int MIEN_HEAT_DIRICHLET = 2;
-        internal const int MIEN_HEAT_AVERAGE = 3;
-        internal const int MIEN_MARK_NOT_PICKED = 0;
-        internal const int MIEN_MARK_PLACE = 1;
-        internal const int MIEN_MARK_VERTEX = 2;
-        internal const int MIEN_GROWTH_CONSTANT = 0;
-        internal const int MIEN_GROWTH_LINEAR = 1;
-        internal const int MIEN_GROWTH_EXPONENTIAL = 2;
-        internal const int MIEN_GROWTH_CUBIC = 3;
-        internal const int MIEN_START_AUTOMATIC = 0;
-        internal const int MIEN_START_LANDMARKS = 1;
-        internal const int MIEN_START_POSE = 2;
-        internal const int MIEN_START_SEARCH = 3;
-        internal const int MIEN_UNITS_DETECT = 0;
-        internal const int MIEN_UNITS_MILLIMETRES = 1;
-        internal const int MIEN_UNITS_REFUSE = 2;
-        internal const int MIEN_SIDES_REFUSE = 0;
-        internal const int MIEN_SIDES_MEND = 1;
-        internal const int MIEN_SIDES_IGNORE = 2;
-        internal const int MIEN_QUALITY_GOOD = 0;
-        internal const int MIEN_QUALITY_DOUBTFUL = 1;
-        internal const int MIEN_QUALITY_FAILED = 2;
-        internal const int MIEN_REGISTRATION_RESIDUAL_MM = 1;
-        internal const int MIEN_REGISTRATION_WEIGHT = 2;
-        internal const int MIEN_REGISTRATION_STANDARD_DEVIATION_MM = 3;
-        internal const int MIEN_REGISTRATION_RADIUS95_MM = 4;
-        internal const int MIEN_REGISTRATION_NORMAL_DEVIATION_MM = 5;
-        internal const int MIEN_TRANSFER_LANDMARKS = 1;
-        internal const int MIEN_TRANSFER_ZONES = 2;
-        internal const int MIEN_FIT_MIXTURE = 0;
-        internal const int MIEN_FIT_MAP = 1;
-        internal const int MIEN_FIT_EXACT = 2;
-        internal const int MIEN_FIT_ALTERNATING = 3;
-        internal const int MIEN_POSE_AUTO = 0;
-        internal const int MIEN_POSE_KEEP = 1;
-        internal const int MIEN_POSE_RIGID = 2;
-        internal const int MIEN_MAP_DOWN = 1;
-        internal const int MIEN_MAP_UP = 2;
-        internal const int MIEN_ZONE_WHOLE = -1;
-        internal const int MIEN_ZONE_REST = -2;
-        internal const int MIEN_FIELD_SIGNED_DISTANCE_MM = 1;
-        internal const int MIEN_FIELD_DISTANCE_MM = 2;
-        internal const int MIEN_FIELD_POSITIVE_VOLUME_MM3 = 3;
-        internal const int MIEN_FIELD_NEGATIVE_VOLUME_MM3 = 4;
-        internal const int MIEN_FIELD_CURVATURE_MAXIMAL = 5;
-        internal const int MIEN_FIELD_CURVATURE_MINIMAL = 6;
-        internal const int MIEN_FIELD_CURVATURE_MEAN = 7;
-        internal const int MIEN_FIELD_CURVATURE_GAUSSIAN = 8;
-        internal const int MIEN_CARRY_CLOSEST_POINT = 1;
-        internal const int MIEN_CARRY_DIRECTION = 2;
-        internal const int MIEN_CARRY_VERTEX_NORMAL = 3;
-        internal const int MIEN_FEATURES_EUCLIDEAN = 1;
-        internal const int MIEN_FEATURES_EUCLIDEAN_STANDARDISED = 2;
-        internal const int MIEN_FEATURES_EUCLIDEAN_NORMALISED = 3;
-        internal const int MIEN_FEATURES_DEFORMATION = 4;
-        internal const int MIEN_FEATURES_DEFORMATION_NORMALISED = 5;
-        internal const int MIEN_FEATURES_DEFORMATION_STANDARDISED = 6;
-        internal const int MIEN_PLS_NIPALS = 0;
-        internal const int MIEN_PLS_SIMPLS = 1;
-        internal const int MIEN_STUDY_KNOWN = 0;
-        internal const int MIEN_STUDY_UNSEEN = 1;
-        internal const int MIEN_STUDY_FAILED_FIT = 2;
-        internal const int MIEN_STUDY_NO_SURFACE_ERRORS = 3;
-        internal const int MIEN_STUDY_OUTSIDE_EXPRESSIONS = 4;
-        internal const int MIEN_STUDY_FIELD_NORMAL_SD_MM = 1;
-        internal const int MIEN_STUDY_FIELD_WEIGHT = 2;
-        internal const int MIEN_STUDY_FIELD_EXPRESSION_SD_MM = 3;
-        internal const int MIEN_TRAIN_JPCA = 0;
-        internal const int MIEN_TRAIN_QOJPCA = 1;
-    }
-
     [StructLayout(LayoutKind.Sequential)]
     internal unsafe struct Error
     {
@@ -367,9 +234,6 @@ namespace Mien.Native
         public IntPtr cancel;
         public int colorFeatures;
         public uint reserved;
-        public double unitToMm;
-        public int landmarkSides;
-        public uint reserved2;
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -558,64 +422,6 @@ namespace Mien.Native
     }
 
     [StructLayout(LayoutKind.Sequential)]
-    internal unsafe struct StudyOptions
-    {
-        public uint structSize;
-        public uint reserved;
-        public IntPtr zones;
-        public ulong zoneCount;
-        public IntPtr treatedZones;
-        public ulong treatedCount;
-        public IntPtr stableZones;
-        public ulong stableCount;
-        public IntPtr visits;
-        public ulong visitNumberCount;
-        public double marginMm;
-        public double level;
-        public double noiseMm;
-        public double correlationLengthMm;
-        public double commonBiasMm;
-        public double untrainedShare;
-        public double minSeenShare;
-        public IntPtr progress;
-        public IntPtr progressUser;
-        public IntPtr cancel;
-    }
-
-    [StructLayout(LayoutKind.Sequential)]
-    internal unsafe struct StudyValue
-    {
-        public double value;
-        public double sd;
-        public double low;
-        public double high;
-        public double limitOfDetection;
-    }
-
-    [StructLayout(LayoutKind.Sequential)]
-    internal unsafe struct StudyChange
-    {
-        public uint structSize;
-        public int unknown;
-        public StudyValue signedMl;
-        public StudyValue gainedMl;
-        public StudyValue lostMl;
-        public StudyValue absoluteMl;
-        public StudyValue areaChangeMm2;
-        public StudyValue meanDistanceMm;
-        public double surfaceSdMl;
-        public double alignmentSdMl;
-        public double biasSdMl;
-        public double expressionSdMl;
-        public double expressionRemovedMl;
-        public double seenShare;
-        public double areaBeforeMm2;
-        public double areaAfterMm2;
-        public int detected;
-        public uint reserved;
-    }
-
-    [StructLayout(LayoutKind.Sequential)]
     internal unsafe struct TrainOptions
     {
         public uint structSize;
@@ -664,1937 +470,1073 @@ namespace Mien.Native
         public IntPtr cancel;
     }
 
-    internal sealed class SessionHandle : Handle
-    {
-        protected override bool ReleaseHandle() { Functions.mien_session_release(handle); return true; }
-    }
-
-    internal sealed class CancelHandle : Handle
-    {
-        protected override bool ReleaseHandle() { Functions.mien_cancel_release(handle); return true; }
-    }
-
-    internal sealed class MeshHandle : Handle
-    {
-        protected override bool ReleaseHandle() { Functions.mien_mesh_release(handle); return true; }
-    }
-
-    internal sealed class SpectralBasisHandle : Handle
-    {
-        protected override bool ReleaseHandle() { Functions.mien_spectral_basis_release(handle); return true; }
-    }
-
-    internal sealed class BlendshapeModelHandle : Handle
-    {
-        protected override bool ReleaseHandle() { Functions.mien_blendshape_model_release(handle); return true; }
-    }
-
-    internal sealed class DatasetWriterHandle : Handle
-    {
-        protected override bool ReleaseHandle() { Functions.mien_dataset_writer_release(handle); return true; }
-    }
-
-    internal sealed class ModelHandle : Handle
-    {
-        protected override bool ReleaseHandle() { Functions.mien_model_release(handle); return true; }
-    }
-
-    internal sealed class TuningHandle : Handle
-    {
-        protected override bool ReleaseHandle() { Functions.mien_tuning_release(handle); return true; }
-    }
-
-    internal sealed class LandmarksHandle : Handle
-    {
-        protected override bool ReleaseHandle() { Functions.mien_landmarks_release(handle); return true; }
-    }
-
-    internal sealed class ZonesHandle : Handle
-    {
-        protected override bool ReleaseHandle() { Functions.mien_zones_release(handle); return true; }
-    }
-
-    internal sealed class RegistrationHandle : Handle
-    {
-        protected override bool ReleaseHandle() { Functions.mien_registration_release(handle); return true; }
-    }
-
-    internal sealed class ExpressionModelHandle : Handle
-    {
-        protected override bool ReleaseHandle() { Functions.mien_expression_model_release(handle); return true; }
-    }
-
-    internal sealed class NeutralizationHandle : Handle
-    {
-        protected override bool ReleaseHandle() { Functions.mien_neutralization_release(handle); return true; }
-    }
-
-    internal sealed class EvaluationHandle : Handle
-    {
-        protected override bool ReleaseHandle() { Functions.mien_evaluation_release(handle); return true; }
-    }
-
-    internal sealed class HierarchyHandle : Handle
-    {
-        protected override bool ReleaseHandle() { Functions.mien_hierarchy_release(handle); return true; }
-    }
-
-    internal sealed class MeasurementHandle : Handle
-    {
-        protected override bool ReleaseHandle() { Functions.mien_measurement_release(handle); return true; }
-    }
-
-    internal sealed class RepresentationHandle : Handle
-    {
-        protected override bool ReleaseHandle() { Functions.mien_representation_release(handle); return true; }
-    }
-
-    internal sealed class ScoreModelHandle : Handle
-    {
-        protected override bool ReleaseHandle() { Functions.mien_score_model_release(handle); return true; }
-    }
-
-    internal sealed class SeriesHandle : Handle
-    {
-        protected override bool ReleaseHandle() { Functions.mien_series_release(handle); return true; }
-    }
-
-    internal sealed class StudyHandle : Handle
-    {
-        protected override bool ReleaseHandle() { Functions.mien_study_release(handle); return true; }
-    }
-
-    internal sealed class VisitsHandle : Handle
-    {
-        protected override bool ReleaseHandle() { Functions.mien_visits_release(handle); return true; }
-    }
-
-    internal static unsafe partial class Functions
+    internal static class Functions
     {
         internal const uint AbiVersion = 0;
+        internal const string Version = "0.1.0";
 
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial IntPtr mien_status_name(int status);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+#if MIEN_STATIC // linked into the program, as on iOS
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern IntPtr mien_status_name(int status);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial uint mien_version_number();
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern uint mien_version_number();
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial IntPtr mien_version_string();
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern IntPtr mien_version_string();
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial IntPtr mien_build_id();
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern IntPtr mien_build_id();
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_session_options_init(ref SessionOptions options, UIntPtr struct_size);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_session_options_init(ref SessionOptions options, UIntPtr struct_size);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_session_create(uint abi_version, out SessionHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_session_create(uint abi_version, out SessionHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_session_create_with_options(uint abi_version, ref SessionOptions options, out SessionHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_session_create_with_options(uint abi_version, ref SessionOptions options, out SessionHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_session_release(IntPtr session);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_session_options_init(IntPtr options, UIntPtr structSize);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_session_create(uint abiVersion, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_session_create_with_options(uint abiVersion, IntPtr options, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_session_release(IntPtr session);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_cancel_create(out CancelHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_cancel_create(out CancelHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_cancel_request(IntPtr cancel);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_cancel_create(IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_cancel_request(IntPtr cancel);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_cancel_release(IntPtr cancel);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_cancel_release(IntPtr cancel);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_mesh_arrays_init(ref MeshArrays arrays, UIntPtr struct_size);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_mesh_arrays_init(ref MeshArrays arrays, UIntPtr struct_size);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_mesh_create(SessionHandle session, ref MeshArrays arrays, out MeshHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_mesh_create(SessionHandle session, ref MeshArrays arrays, out MeshHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_mesh_load(SessionHandle session, byte[] path, out MeshHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_mesh_load(SessionHandle session, byte[] path, out MeshHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_mesh_save(SessionHandle session, MeshHandle mesh, byte[] path, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_mesh_save(SessionHandle session, MeshHandle mesh, byte[] path, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_mesh_get_counts(MeshHandle mesh, out ulong vertex_count, out ulong triangle_count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_mesh_get_counts(MeshHandle mesh, out ulong vertex_count, out ulong triangle_count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_mesh_get_positions(MeshHandle mesh, int dtype, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_mesh_get_positions(MeshHandle mesh, int dtype, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_mesh_get_triangles(MeshHandle mesh, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_mesh_get_triangles(MeshHandle mesh, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_mesh_get_colors(MeshHandle mesh, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_mesh_get_colors(MeshHandle mesh, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial uint mien_mesh_format_count();
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_mesh_arrays_init(IntPtr arrays, UIntPtr structSize);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_create(IntPtr session, IntPtr arrays, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_load(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_save(IntPtr session, IntPtr mesh, IntPtr path, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_get_counts(IntPtr mesh, IntPtr vertexCount, IntPtr triangleCount, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_get_positions(IntPtr mesh, int dtype, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_get_triangles(IntPtr mesh, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_get_colors(IntPtr mesh, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern uint mien_mesh_format_count();
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial IntPtr mien_mesh_format_extension(uint format);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern IntPtr mien_mesh_format_extension(uint format);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial IntPtr mien_mesh_format_description(uint format);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern IntPtr mien_mesh_format_description(uint format);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial IntPtr mien_mesh_format_writes(uint format);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern IntPtr mien_mesh_format_writes(uint format);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_mesh_get_texture(MeshHandle mesh, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_mesh_get_texture(MeshHandle mesh, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_mesh_get_texture_triangles(MeshHandle mesh, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_mesh_get_texture_triangles(MeshHandle mesh, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_mesh_get_triangle_materials(MeshHandle mesh, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_mesh_get_triangle_materials(MeshHandle mesh, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_mesh_get_material_counts(MeshHandle mesh, out ulong material_count, out ulong image_count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_mesh_get_material_counts(MeshHandle mesh, out ulong material_count, out ulong image_count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_mesh_get_material(MeshHandle mesh, ulong material, IntPtr image, IntPtr red, IntPtr green, IntPtr blue, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_mesh_get_material(MeshHandle mesh, ulong material, IntPtr image, IntPtr red, IntPtr green, IntPtr blue, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_mesh_get_material_name(MeshHandle mesh, ulong material, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_mesh_get_material_name(MeshHandle mesh, ulong material, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_mesh_get_image_name(MeshHandle mesh, ulong image, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_mesh_get_image_name(MeshHandle mesh, ulong image, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_mesh_get_image_file(MeshHandle mesh, ulong image, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_mesh_get_image_file(MeshHandle mesh, ulong image, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_mesh_get_image_size(MeshHandle mesh, ulong image, IntPtr width, IntPtr height, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_mesh_get_image_size(MeshHandle mesh, ulong image, IntPtr width, IntPtr height, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_mesh_get_image_pixels(SessionHandle session, MeshHandle mesh, ulong image, ulong row_stride_bytes, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_mesh_get_image_pixels(SessionHandle session, MeshHandle mesh, ulong image, ulong row_stride_bytes, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_mesh_save_targets(SessionHandle session, MeshHandle mesh, out MeshHandle targets, IntPtr[] names, ulong target_count, byte[] path, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_mesh_save_targets(SessionHandle session, MeshHandle mesh, out MeshHandle targets, IntPtr[] names, ulong target_count, byte[] path, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_mesh_load_target(SessionHandle session, byte[] path, byte[] name, out MeshHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_mesh_load_target(SessionHandle session, byte[] path, byte[] name, out MeshHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_mesh_positions_view(MeshHandle mesh, out IntPtr data, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_mesh_positions_view(MeshHandle mesh, out IntPtr data, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_mesh_retain(IntPtr mesh);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_format_writes(uint format);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_get_texture(IntPtr mesh, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_get_texture_triangles(IntPtr mesh, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_get_triangle_materials(IntPtr mesh, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_get_material_counts(IntPtr mesh, IntPtr materialCount, IntPtr imageCount, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_get_material(IntPtr mesh, ulong material, IntPtr image, IntPtr red, IntPtr green, IntPtr blue, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_get_material_name(IntPtr mesh, ulong material, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_get_image_name(IntPtr mesh, ulong image, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_get_image_file(IntPtr mesh, ulong image, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_get_image_size(IntPtr mesh, ulong image, IntPtr width, IntPtr height, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_get_image_pixels(IntPtr session, IntPtr mesh, ulong image, ulong rowStrideBytes, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_save_targets(IntPtr session, IntPtr mesh, IntPtr targets, IntPtr names, ulong targetCount, IntPtr path, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_load_target(IntPtr session, IntPtr path, IntPtr name, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_positions_view(IntPtr mesh, IntPtr data, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_mesh_retain(IntPtr mesh);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_mesh_release(IntPtr mesh);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_mesh_release(IntPtr mesh);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_spectral_basis_options_init(ref SpectralBasisOptions options, UIntPtr struct_size);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_spectral_basis_options_init(ref SpectralBasisOptions options, UIntPtr struct_size);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_spectral_basis_build(SessionHandle session, MeshHandle mean, ref SpectralBasisOptions options, out SpectralBasisHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_spectral_basis_build(SessionHandle session, MeshHandle mean, ref SpectralBasisOptions options, out SpectralBasisHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_spectral_basis_load(SessionHandle session, byte[] path, out SpectralBasisHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_spectral_basis_load(SessionHandle session, byte[] path, out SpectralBasisHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_spectral_basis_save(SessionHandle session, SpectralBasisHandle basis, byte[] path, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_spectral_basis_save(SessionHandle session, SpectralBasisHandle basis, byte[] path, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_spectral_basis_get_counts(SpectralBasisHandle basis, out ulong vertex_count, out ulong mode_count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_spectral_basis_get_counts(SpectralBasisHandle basis, out ulong vertex_count, out ulong mode_count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_spectral_basis_get_eigenvalues(SpectralBasisHandle basis, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_spectral_basis_get_eigenvalues(SpectralBasisHandle basis, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_spectral_basis_retain(IntPtr basis);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_spectral_basis_options_init(IntPtr options, UIntPtr structSize);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_basis_build(IntPtr session, IntPtr mean, IntPtr options, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_basis_load(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_basis_save(IntPtr session, IntPtr basis, IntPtr path, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_basis_get_counts(IntPtr basis, IntPtr vertexCount, IntPtr modeCount, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_basis_get_eigenvalues(IntPtr basis, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_spectral_basis_retain(IntPtr basis);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_spectral_basis_release(IntPtr basis);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_spectral_basis_release(IntPtr basis);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_spectral_split(SessionHandle session, SpectralBasisHandle basis, MeshHandle face, ulong k, out MeshHandle low, out MeshHandle high, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_spectral_split(SessionHandle session, SpectralBasisHandle basis, MeshHandle face, ulong k, out MeshHandle low, out MeshHandle high, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_spectral_assemble(SessionHandle session, SpectralBasisHandle basis, MeshHandle low, MeshHandle high, ulong k, out MeshHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_spectral_assemble(SessionHandle session, SpectralBasisHandle basis, MeshHandle low, MeshHandle high, ulong k, out MeshHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_spectral_edit(SessionHandle session, SpectralBasisHandle basis, MeshHandle face, IntPtr limits, ulong limit_count, IntPtr gains, out MeshHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_spectral_edit(SessionHandle session, SpectralBasisHandle basis, MeshHandle face, IntPtr limits, ulong limit_count, IntPtr gains, out MeshHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_spectral_mix(SessionHandle session, SpectralBasisHandle basis, MeshHandle first, MeshHandle second, IntPtr limits, ulong limit_count, IntPtr weights, out MeshHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_spectral_mix(SessionHandle session, SpectralBasisHandle basis, MeshHandle first, MeshHandle second, IntPtr limits, ulong limit_count, IntPtr weights, out MeshHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_metric(SessionHandle session, int metric, MeshHandle reference, MeshHandle other, IntPtr value, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_metric(SessionHandle session, int metric, MeshHandle reference, MeshHandle other, IntPtr value, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_transfer_expression(SessionHandle session, MeshHandle source_neutral, MeshHandle source_expression, MeshHandle target_neutral, out MeshHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_transfer_expression(SessionHandle session, MeshHandle source_neutral, MeshHandle source_expression, MeshHandle target_neutral, out MeshHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_blendshape_options_init(ref BlendshapeOptions options, UIntPtr struct_size);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_blendshape_options_init(ref BlendshapeOptions options, UIntPtr struct_size);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_blendshape_model_train(SessionHandle session, byte[] dataset_path, byte[] expression, ref BlendshapeOptions options, out BlendshapeModelHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_blendshape_model_train(SessionHandle session, byte[] dataset_path, byte[] expression, ref BlendshapeOptions options, out BlendshapeModelHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_blendshape_model_load(SessionHandle session, byte[] path, out BlendshapeModelHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_blendshape_model_load(SessionHandle session, byte[] path, out BlendshapeModelHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_blendshape_model_save(SessionHandle session, BlendshapeModelHandle model, byte[] path, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_blendshape_model_save(SessionHandle session, BlendshapeModelHandle model, byte[] path, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_blendshape_model_get_mean(BlendshapeModelHandle model, out MeshHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_blendshape_model_get_mean(BlendshapeModelHandle model, out MeshHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_blendshape_model_predict(SessionHandle session, BlendshapeModelHandle model, IntPtr basis, ulong k, MeshHandle neutral, out MeshHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_blendshape_model_predict(SessionHandle session, BlendshapeModelHandle model, IntPtr basis, ulong k, MeshHandle neutral, out MeshHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_blendshape_model_search(SessionHandle session, BlendshapeModelHandle model, SpectralBasisHandle basis, byte[] dataset_path, byte[] expression, IntPtr candidates, uint candidate_count, ref BlendshapeOptions options, ref BandChoice choices, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_blendshape_model_search(SessionHandle session, BlendshapeModelHandle model, SpectralBasisHandle basis, byte[] dataset_path, byte[] expression, IntPtr candidates, uint candidate_count, ref BlendshapeOptions options, ref BandChoice choices, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_blendshape_model_retain(IntPtr model);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_split(IntPtr session, IntPtr basis, IntPtr face, ulong k, IntPtr low, IntPtr high, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_assemble(IntPtr session, IntPtr basis, IntPtr low, IntPtr high, ulong k, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_edit(IntPtr session, IntPtr basis, IntPtr face, IntPtr limits, ulong limitCount, IntPtr gains, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_mix(IntPtr session, IntPtr basis, IntPtr first, IntPtr second, IntPtr limits, ulong limitCount, IntPtr weights, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_metric(IntPtr session, int metric, IntPtr reference, IntPtr other, IntPtr value, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_transfer_expression(IntPtr session, IntPtr sourceNeutral, IntPtr sourceExpression, IntPtr targetNeutral, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_blendshape_options_init(IntPtr options, UIntPtr structSize);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_blendshape_model_train(IntPtr session, IntPtr datasetPath, IntPtr expression, IntPtr options, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_blendshape_model_load(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_blendshape_model_save(IntPtr session, IntPtr model, IntPtr path, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_blendshape_model_get_mean(IntPtr model, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_blendshape_model_predict(IntPtr session, IntPtr model, IntPtr basis, ulong k, IntPtr neutral, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_blendshape_model_search(IntPtr session, IntPtr model, IntPtr basis, IntPtr datasetPath, IntPtr expression, IntPtr candidates, uint candidateCount, IntPtr options, IntPtr choices, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_blendshape_model_retain(IntPtr model);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_blendshape_model_release(IntPtr model);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_blendshape_model_release(IntPtr model);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_dataset_writer_create(SessionHandle session, MeshHandle topology, IntPtr[] expression_names, uint expression_count, out DatasetWriterHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_dataset_writer_create(SessionHandle session, MeshHandle topology, IntPtr[] expression_names, uint expression_count, out DatasetWriterHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_dataset_writer_add(DatasetWriterHandle writer, ref ArrayView positions, int subject, int expression, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_dataset_writer_add(DatasetWriterHandle writer, ref ArrayView positions, int subject, int expression, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_dataset_writer_save(SessionHandle session, DatasetWriterHandle writer, byte[] path, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_dataset_writer_save(SessionHandle session, DatasetWriterHandle writer, byte[] path, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_dataset_writer_release(IntPtr writer);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_dataset_writer_create(IntPtr session, IntPtr topology, IntPtr expressionNames, uint expressionCount, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_dataset_writer_add(IntPtr writer, IntPtr positions, int subject, int expression, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_dataset_writer_save(IntPtr session, IntPtr writer, IntPtr path, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_dataset_writer_release(IntPtr writer);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_model_options_init(ref ModelOptions options, UIntPtr struct_size);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_model_options_init(ref ModelOptions options, UIntPtr struct_size);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_model_build(SessionHandle session, MeshHandle template_mesh, ref ModelOptions options, out ModelHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_model_build(SessionHandle session, MeshHandle template_mesh, ref ModelOptions options, out ModelHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_model_load(SessionHandle session, byte[] path, out ModelHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_model_load(SessionHandle session, byte[] path, out ModelHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_model_load_memory(SessionHandle session, IntPtr data, ulong size, out ModelHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_model_load_memory(SessionHandle session, IntPtr data, ulong size, out ModelHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_model_load_trusted(SessionHandle session, byte[] path, out ModelHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_model_load_trusted(SessionHandle session, byte[] path, out ModelHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_model_save(SessionHandle session, ModelHandle model, byte[] path, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_model_save(SessionHandle session, ModelHandle model, byte[] path, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_model_get_counts(ModelHandle model, out ulong vertex_count, IntPtr scalar_modes, IntPtr vector_modes, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_model_get_counts(ModelHandle model, out ulong vertex_count, IntPtr scalar_modes, IntPtr vector_modes, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_model_get_json(ModelHandle model, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_model_get_json(ModelHandle model, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_model_get_variance(ModelHandle model, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_model_get_variance(ModelHandle model, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_model_sample(SessionHandle session, ModelHandle model, ulong seed, ulong index, double strength, out MeshHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_model_sample(SessionHandle session, ModelHandle model, ulong seed, ulong index, double strength, out MeshHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_model_condition(SessionHandle session, ModelHandle model, ref LandmarkObservation observations, ulong observation_count, out ModelHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_model_condition(SessionHandle session, ModelHandle model, ref LandmarkObservation observations, ulong observation_count, out ModelHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_tune_options_init(ref TuneOptions options, UIntPtr struct_size);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_tune_options_init(ref TuneOptions options, UIntPtr struct_size);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_model_tune(SessionHandle session, MeshHandle template_mesh, byte[] dataset, ref TuneOptions options, out TuningHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_model_tune(SessionHandle session, MeshHandle template_mesh, byte[] dataset, ref TuneOptions options, out TuningHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_tuning_get_json(TuningHandle tuning, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_tuning_get_json(TuningHandle tuning, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_tuning_release(IntPtr tuning);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_model_options_init(IntPtr options, UIntPtr structSize);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_model_build(IntPtr session, IntPtr templateMesh, IntPtr options, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_model_load(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_model_load_memory(IntPtr session, IntPtr data, ulong size, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_model_load_trusted(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_model_save(IntPtr session, IntPtr model, IntPtr path, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_model_get_counts(IntPtr model, IntPtr vertexCount, IntPtr scalarModes, IntPtr vectorModes, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_model_get_json(IntPtr model, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_model_get_variance(IntPtr model, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_model_sample(IntPtr session, IntPtr model, ulong seed, ulong index, double strength, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_model_condition(IntPtr session, IntPtr model, IntPtr observations, ulong observationCount, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_tune_options_init(IntPtr options, UIntPtr structSize);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_model_tune(IntPtr session, IntPtr templateMesh, IntPtr dataset, IntPtr options, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_tuning_get_json(IntPtr tuning, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_tuning_release(IntPtr tuning);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial IntPtr mien_model_mesh(ModelHandle model);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern IntPtr mien_model_mesh(ModelHandle model);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_model_retain(IntPtr model);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern IntPtr mien_model_mesh(IntPtr model);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_model_retain(IntPtr model);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_model_release(IntPtr model);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_model_release(IntPtr model);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_landmarks_load(SessionHandle session, byte[] path, out LandmarksHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_landmarks_load(SessionHandle session, byte[] path, out LandmarksHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_landmarks_create(ref ScanLandmark landmarks, ulong landmark_count, out LandmarksHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_landmarks_create(ref ScanLandmark landmarks, ulong landmark_count, out LandmarksHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_model_get_landmarks(ModelHandle model, out LandmarksHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_model_get_landmarks(ModelHandle model, out LandmarksHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_landmarks_match(LandmarksHandle landmarks, ModelHandle model, out LandmarksHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_landmarks_match(LandmarksHandle landmarks, ModelHandle model, out LandmarksHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_landmarks_on_mesh(LandmarksHandle landmarks, MeshHandle mesh, out LandmarksHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_landmarks_on_mesh(LandmarksHandle landmarks, MeshHandle mesh, out LandmarksHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_landmarks_save(SessionHandle session, LandmarksHandle landmarks, byte[] path, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_landmarks_save(SessionHandle session, LandmarksHandle landmarks, byte[] path, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_landmarks_get_counts(LandmarksHandle landmarks, out ulong count, out ulong picked_count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_landmarks_get_counts(LandmarksHandle landmarks, out ulong count, out ulong picked_count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_landmarks_get_name(LandmarksHandle landmarks, ulong index, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_landmarks_get_name(LandmarksHandle landmarks, ulong index, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_landmarks_get_mark(LandmarksHandle landmarks, ulong index, IntPtr where, IntPtr position, IntPtr vertex, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_landmarks_get_mark(LandmarksHandle landmarks, ulong index, IntPtr where, IntPtr position, IntPtr vertex, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_landmarks_get_json(LandmarksHandle landmarks, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_landmarks_get_json(LandmarksHandle landmarks, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_landmarks_retain(IntPtr landmarks);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_landmarks_load(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_landmarks_create(IntPtr landmarks, ulong landmarkCount, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_model_get_landmarks(IntPtr model, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_landmarks_match(IntPtr landmarks, IntPtr model, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_landmarks_on_mesh(IntPtr landmarks, IntPtr mesh, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_landmarks_save(IntPtr session, IntPtr landmarks, IntPtr path, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_landmarks_get_counts(IntPtr landmarks, IntPtr count, IntPtr pickedCount, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_landmarks_get_name(IntPtr landmarks, ulong index, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_landmarks_get_mark(IntPtr landmarks, ulong index, IntPtr where, IntPtr position, IntPtr vertex, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_landmarks_get_json(IntPtr landmarks, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_landmarks_retain(IntPtr landmarks);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_landmarks_release(IntPtr landmarks);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_landmarks_release(IntPtr landmarks);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_zones_load(SessionHandle session, byte[] path, out ZonesHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_zones_load(SessionHandle session, byte[] path, out ZonesHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_zones_create(ref Zone zones, ulong zone_count, out ZonesHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_zones_create(ref Zone zones, ulong zone_count, out ZonesHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_model_get_zones(ModelHandle model, out ZonesHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_model_get_zones(ModelHandle model, out ZonesHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_zones_save(SessionHandle session, ZonesHandle zones, byte[] path, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_zones_save(SessionHandle session, ZonesHandle zones, byte[] path, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_zones_get_count(ZonesHandle zones, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_zones_get_count(ZonesHandle zones, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_zones_get_name(ZonesHandle zones, ulong index, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_zones_get_name(ZonesHandle zones, ulong index, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_zones_get_vertices(ZonesHandle zones, ulong index, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_zones_get_vertices(ZonesHandle zones, ulong index, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_zones_retain(IntPtr zones);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_zones_load(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_zones_create(IntPtr zones, ulong zoneCount, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_model_get_zones(IntPtr model, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_zones_save(IntPtr session, IntPtr zones, IntPtr path, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_zones_get_count(IntPtr zones, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_zones_get_name(IntPtr zones, ulong index, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_zones_get_vertices(IntPtr zones, ulong index, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_zones_retain(IntPtr zones);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_zones_release(IntPtr zones);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_zones_release(IntPtr zones);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_register_options_init(ref RegisterOptions options, UIntPtr struct_size);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_register_options_init(ref RegisterOptions options, UIntPtr struct_size);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_register(SessionHandle session, ModelHandle model, MeshHandle scan, ref RegisterOptions options, out RegistrationHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_register(SessionHandle session, ModelHandle model, MeshHandle scan, ref RegisterOptions options, out RegistrationHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial IntPtr mien_registration_mesh(RegistrationHandle registration);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern IntPtr mien_registration_mesh(RegistrationHandle registration);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_registration_get_verdict(RegistrationHandle registration, ref FitVerdict @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_registration_get_verdict(RegistrationHandle registration, ref FitVerdict @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_registration_get_field(RegistrationHandle registration, int field, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_registration_get_field(RegistrationHandle registration, int field, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_registration_get_correspondence(RegistrationHandle registration, IntPtr triangles, IntPtr barycentric, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_registration_get_correspondence(RegistrationHandle registration, IntPtr triangles, IntPtr barycentric, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_registration_get_motion(RegistrationHandle registration, IntPtr matrix, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_registration_get_motion(RegistrationHandle registration, IntPtr matrix, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_registration_get_json(RegistrationHandle registration, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_registration_get_json(RegistrationHandle registration, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_registration_save(SessionHandle session, RegistrationHandle registration, byte[] path, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_registration_save(SessionHandle session, RegistrationHandle registration, byte[] path, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_registration_load(SessionHandle session, byte[] path, out RegistrationHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_registration_load(SessionHandle session, byte[] path, out RegistrationHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_registration_create(SessionHandle session, MeshHandle mesh, ref ArrayView weight, ref ArrayView residual, ref ArrayView standard_deviation, int quality, out RegistrationHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_registration_create(SessionHandle session, MeshHandle mesh, ref ArrayView weight, ref ArrayView residual, ref ArrayView standard_deviation, int quality, out RegistrationHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_registration_retain(IntPtr registration);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_register_options_init(IntPtr options, UIntPtr structSize);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_register(IntPtr session, IntPtr model, IntPtr scan, IntPtr options, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern IntPtr mien_registration_mesh(IntPtr registration);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_registration_get_verdict(IntPtr registration, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_registration_get_field(IntPtr registration, int field, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_registration_get_correspondence(IntPtr registration, IntPtr triangles, IntPtr barycentric, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_registration_get_motion(IntPtr registration, IntPtr matrix, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_registration_get_json(IntPtr registration, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_registration_retain(IntPtr registration);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_registration_release(IntPtr registration);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_registration_release(IntPtr registration);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_surface_transfer_points(SessionHandle session, MeshHandle surface, ref ArrayView points, double max_distance_mm, IntPtr triangles, IntPtr barycentric, IntPtr positions, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_surface_transfer_points(SessionHandle session, MeshHandle surface, ref ArrayView points, double max_distance_mm, IntPtr triangles, IntPtr barycentric, IntPtr positions, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_surface_transfer_zone(SessionHandle session, MeshHandle from, IntPtr vertices, ulong vertex_count, MeshHandle to, double max_distance_mm, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_surface_transfer_zone(SessionHandle session, MeshHandle from, IntPtr vertices, ulong vertex_count, MeshHandle to, double max_distance_mm, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_surface_transfer_json(SessionHandle session, ModelHandle model, MeshHandle fitted, MeshHandle scan, int what, double max_distance_mm, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_surface_transfer_json(SessionHandle session, ModelHandle model, MeshHandle fitted, MeshHandle scan, int what, double max_distance_mm, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_expression_model_load(SessionHandle session, byte[] path, out ExpressionModelHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_expression_model_load(SessionHandle session, byte[] path, out ExpressionModelHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_expression_model_load_memory(SessionHandle session, IntPtr data, ulong size, out ExpressionModelHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_expression_model_load_memory(SessionHandle session, IntPtr data, ulong size, out ExpressionModelHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_expression_model_save(SessionHandle session, ExpressionModelHandle model, byte[] path, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_expression_model_save(SessionHandle session, ExpressionModelHandle model, byte[] path, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_expression_model_retain(IntPtr model);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_surface_transfer_points(IntPtr session, IntPtr surface, IntPtr points, double maxDistanceMm, IntPtr triangles, IntPtr barycentric, IntPtr positions, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_surface_transfer_zone(IntPtr session, IntPtr from, IntPtr vertices, ulong vertexCount, IntPtr to, double maxDistanceMm, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_surface_transfer_json(IntPtr session, IntPtr model, IntPtr fitted, IntPtr scan, int what, double maxDistanceMm, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_expression_model_load(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_expression_model_load_memory(IntPtr session, IntPtr data, ulong size, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_expression_model_save(IntPtr session, IntPtr model, IntPtr path, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_expression_model_retain(IntPtr model);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_expression_model_release(IntPtr model);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_expression_model_release(IntPtr model);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_expression_model_get_counts(ExpressionModelHandle model, out ulong vertex_count, IntPtr identity_modes, IntPtr expression_modes, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_expression_model_get_counts(ExpressionModelHandle model, out ulong vertex_count, IntPtr identity_modes, IntPtr expression_modes, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_expression_model_get_json(ExpressionModelHandle model, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_expression_model_get_json(ExpressionModelHandle model, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_expression_model_synthesize(SessionHandle session, ExpressionModelHandle model, ref ArrayView identity, ref ArrayView expression, out MeshHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_expression_model_synthesize(SessionHandle session, ExpressionModelHandle model, ref ArrayView identity, ref ArrayView expression, out MeshHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_expression_model_sample(SessionHandle session, ExpressionModelHandle model, ulong seed, byte[] expression, out MeshHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_expression_model_sample(SessionHandle session, ExpressionModelHandle model, ulong seed, byte[] expression, out MeshHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_neutralize_options_init(ref NeutralizeOptions options, UIntPtr struct_size);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_neutralize_options_init(ref NeutralizeOptions options, UIntPtr struct_size);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_neutralize(SessionHandle session, ExpressionModelHandle model, RegistrationHandle fitted, ref NeutralizeOptions options, out NeutralizationHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_neutralize(SessionHandle session, ExpressionModelHandle model, RegistrationHandle fitted, ref NeutralizeOptions options, out NeutralizationHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_neutralize_mesh(SessionHandle session, ExpressionModelHandle model, MeshHandle face, ref NeutralizeOptions options, out NeutralizationHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_neutralize_mesh(SessionHandle session, ExpressionModelHandle model, MeshHandle face, ref NeutralizeOptions options, out NeutralizationHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial IntPtr mien_neutralization_mesh(NeutralizationHandle neutralization);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern IntPtr mien_neutralization_mesh(NeutralizationHandle neutralization);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_neutralization_get_coordinates(NeutralizationHandle neutralization, IntPtr identity, IntPtr expression, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_neutralization_get_coordinates(NeutralizationHandle neutralization, IntPtr identity, IntPtr expression, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_neutralization_get_uncertainty(NeutralizationHandle neutralization, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_neutralization_get_uncertainty(NeutralizationHandle neutralization, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_neutralization_get_json(NeutralizationHandle neutralization, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_neutralization_get_json(NeutralizationHandle neutralization, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_neutralization_release(IntPtr neutralization);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_expression_model_get_counts(IntPtr model, IntPtr vertexCount, IntPtr identityModes, IntPtr expressionModes, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_expression_model_get_json(IntPtr model, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_expression_model_synthesize(IntPtr session, IntPtr model, IntPtr identity, IntPtr expression, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_expression_model_sample(IntPtr session, IntPtr model, ulong seed, IntPtr expression, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_neutralize_options_init(IntPtr options, UIntPtr structSize);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_neutralize(IntPtr session, IntPtr model, IntPtr fitted, IntPtr options, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_neutralize_mesh(IntPtr session, IntPtr model, IntPtr face, IntPtr options, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern IntPtr mien_neutralization_mesh(IntPtr neutralization);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_neutralization_get_counts(IntPtr neutralization, IntPtr vertexCount, IntPtr identityModes, IntPtr expressionModes, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_neutralization_get_coordinates(IntPtr neutralization, IntPtr identity, IntPtr expression, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_neutralization_get_uncertainty(IntPtr neutralization, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_neutralization_get_json(IntPtr neutralization, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_neutralization_release(IntPtr neutralization);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_neutralization_apply_to_scan(SessionHandle session, NeutralizationHandle neutralization, MeshHandle scan, double max_distance_mm, out MeshHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_neutralization_apply_to_scan(SessionHandle session, NeutralizationHandle neutralization, MeshHandle scan, double max_distance_mm, out MeshHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_expression_model_transfer(SessionHandle session, ExpressionModelHandle model, NeutralizationHandle source, NeutralizationHandle target, out MeshHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_expression_model_transfer(SessionHandle session, ExpressionModelHandle model, NeutralizationHandle source, NeutralizationHandle target, out MeshHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_evaluate_options_init(ref EvaluateOptions options, UIntPtr struct_size);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_evaluate_options_init(ref EvaluateOptions options, UIntPtr struct_size);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_evaluate_neutralization(SessionHandle session, ExpressionModelHandle model, byte[] dataset_path, ref EvaluateOptions options, out EvaluationHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_evaluate_neutralization(SessionHandle session, ExpressionModelHandle model, byte[] dataset_path, ref EvaluateOptions options, out EvaluationHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_evaluation_get_json(EvaluationHandle evaluation, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_evaluation_get_json(EvaluationHandle evaluation, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_evaluation_release(IntPtr evaluation);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_neutralization_apply_to_scan(IntPtr session, IntPtr neutralization, IntPtr scan, double maxDistanceMm, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_expression_model_transfer(IntPtr session, IntPtr model, IntPtr source, IntPtr target, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_evaluate_options_init(IntPtr options, UIntPtr structSize);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_evaluate_neutralization(IntPtr session, IntPtr model, IntPtr datasetPath, IntPtr options, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_evaluation_get_json(IntPtr evaluation, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_evaluation_release(IntPtr evaluation);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_hierarchy_build_quadric(SessionHandle session, MeshHandle mesh, uint level_count, double factor, out HierarchyHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_hierarchy_build_quadric(SessionHandle session, MeshHandle mesh, uint level_count, double factor, out HierarchyHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_hierarchy_build_connectivity(SessionHandle session, MeshHandle mesh, uint level_count, uint stride, uint radius, out HierarchyHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_hierarchy_build_connectivity(SessionHandle session, MeshHandle mesh, uint level_count, uint stride, uint radius, out HierarchyHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_hierarchy_load(SessionHandle session, byte[] path, out HierarchyHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_hierarchy_load(SessionHandle session, byte[] path, out HierarchyHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_hierarchy_save(SessionHandle session, HierarchyHandle hierarchy, byte[] path, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_hierarchy_save(SessionHandle session, HierarchyHandle hierarchy, byte[] path, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_hierarchy_get_level_count(HierarchyHandle hierarchy, out ulong level_count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_hierarchy_get_level_count(HierarchyHandle hierarchy, out ulong level_count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_hierarchy_get_level(HierarchyHandle hierarchy, uint level, out MeshHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_hierarchy_get_level(HierarchyHandle hierarchy, uint level, out MeshHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_hierarchy_apply(HierarchyHandle hierarchy, uint level, int direction, IntPtr values, ulong row_count, ulong channel_count, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_hierarchy_apply(HierarchyHandle hierarchy, uint level, int direction, IntPtr values, ulong row_count, ulong channel_count, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_hierarchy_retain(IntPtr hierarchy);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_hierarchy_build_quadric(IntPtr session, IntPtr mesh, uint levelCount, double factor, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_hierarchy_build_connectivity(IntPtr session, IntPtr mesh, uint levelCount, uint stride, uint radius, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_hierarchy_load(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_hierarchy_save(IntPtr session, IntPtr hierarchy, IntPtr path, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_hierarchy_get_level_count(IntPtr hierarchy, IntPtr levelCount, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_hierarchy_get_level(IntPtr hierarchy, uint level, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_hierarchy_apply(IntPtr hierarchy, uint level, int direction, IntPtr values, ulong rowCount, ulong channelCount, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_hierarchy_retain(IntPtr hierarchy);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_hierarchy_release(IntPtr hierarchy);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_hierarchy_release(IntPtr hierarchy);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_measure_options_init(ref MeasureOptions options, UIntPtr struct_size);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_measure_options_init(ref MeasureOptions options, UIntPtr struct_size);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_measure_volume(SessionHandle session, MeshHandle before, MeshHandle after, ref MeasureOptions options, out MeasurementHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_measure_volume(SessionHandle session, MeshHandle before, MeshHandle after, ref MeasureOptions options, out MeasurementHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_measure_distance(SessionHandle session, MeshHandle before, MeshHandle after, ref MeasureOptions options, out MeasurementHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_measure_distance(SessionHandle session, MeshHandle before, MeshHandle after, ref MeasureOptions options, out MeasurementHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_measure_surface_distance(SessionHandle session, MeshHandle before, MeshHandle after, ref MeasureOptions options, out MeasurementHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_measure_surface_distance(SessionHandle session, MeshHandle before, MeshHandle after, ref MeasureOptions options, out MeasurementHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_measure_closed_volume(SessionHandle session, MeshHandle mesh, int close_rims, IntPtr volume_ml, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_measure_closed_volume(SessionHandle session, MeshHandle mesh, int close_rims, IntPtr volume_ml, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_measure_area(SessionHandle session, MeshHandle mesh, ref Zone zone, IntPtr area_mm2, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_measure_area(SessionHandle session, MeshHandle mesh, ref Zone zone, IntPtr area_mm2, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_measure_curvature(SessionHandle session, MeshHandle mesh, double radius_mm, int robust, ref MeasureOptions options, out MeasurementHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_measure_curvature(SessionHandle session, MeshHandle mesh, double radius_mm, int robust, ref MeasureOptions options, out MeasurementHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_measure_lengths(SessionHandle session, MeshHandle mesh, IntPtr pairs, ulong pair_count, IntPtr straight_mm, IntPtr geodesic_mm, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_measure_lengths(SessionHandle session, MeshHandle mesh, IntPtr pairs, ulong pair_count, IntPtr straight_mm, IntPtr geodesic_mm, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_measure_scan_volume(SessionHandle session, MeshHandle before, MeshHandle after, int carry, IntPtr direction, ref MeasureOptions options, IntPtr coverage, out MeasurementHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_measure_scan_volume(SessionHandle session, MeshHandle before, MeshHandle after, int carry, IntPtr direction, ref MeasureOptions options, IntPtr coverage, out MeasurementHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_measure_align(SessionHandle session, MeshHandle moving, MeshHandle target, ref Zone stable, ref ZoneAlignment info, out MeshHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_measure_align(SessionHandle session, MeshHandle moving, MeshHandle target, ref Zone stable, ref ZoneAlignment info, out MeshHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_measurement_get_zones(MeasurementHandle measurement, out ulong zone_count, IntPtr zones_disjoint, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_measurement_get_zones(MeasurementHandle measurement, out ulong zone_count, IntPtr zones_disjoint, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_measurement_get_volume(MeasurementHandle measurement, int zone, ref ZoneVolume @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_measurement_get_volume(MeasurementHandle measurement, int zone, ref ZoneVolume @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_measurement_get_distance(MeasurementHandle measurement, int zone, ref ZoneDistance @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_measurement_get_distance(MeasurementHandle measurement, int zone, ref ZoneDistance @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_measurement_get_field(MeasurementHandle measurement, int field, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_measurement_get_field(MeasurementHandle measurement, int field, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_measurement_get_json(MeasurementHandle measurement, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_measurement_get_json(MeasurementHandle measurement, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_measurement_release(IntPtr measurement);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_measure_options_init(IntPtr options, UIntPtr structSize);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_measure_volume(IntPtr session, IntPtr before, IntPtr after, IntPtr options, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_measure_distance(IntPtr session, IntPtr before, IntPtr after, IntPtr options, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_measure_surface_distance(IntPtr session, IntPtr before, IntPtr after, IntPtr options, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_measure_closed_volume(IntPtr session, IntPtr mesh, int closeRims, IntPtr volumeMl, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_measure_area(IntPtr session, IntPtr mesh, IntPtr zone, IntPtr areaMm2, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_measure_curvature(IntPtr session, IntPtr mesh, double radiusMm, int robust, IntPtr options, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_measure_lengths(IntPtr session, IntPtr mesh, IntPtr pairs, ulong pairCount, IntPtr straightMm, IntPtr geodesicMm, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_measure_scan_volume(IntPtr session, IntPtr before, IntPtr after, int carry, IntPtr direction, IntPtr options, IntPtr coverage, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_measure_align(IntPtr session, IntPtr moving, IntPtr target, IntPtr stable, IntPtr info, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_measurement_get_zones(IntPtr measurement, IntPtr zoneCount, IntPtr zonesDisjoint, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_measurement_get_volume(IntPtr measurement, int zone, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_measurement_get_distance(IntPtr measurement, int zone, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_measurement_get_field(IntPtr measurement, int field, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_measurement_get_json(IntPtr measurement, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_measurement_release(IntPtr measurement);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_mesh_inspect(SessionHandle session, MeshHandle mesh, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_mesh_inspect(SessionHandle session, MeshHandle mesh, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_mesh_clean(SessionHandle session, MeshHandle mesh, ulong min_triangles, out MeshHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_mesh_clean(SessionHandle session, MeshHandle mesh, ulong min_triangles, out MeshHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_mesh_transform(SessionHandle session, MeshHandle mesh, IntPtr matrix, out MeshHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_mesh_transform(SessionHandle session, MeshHandle mesh, IntPtr matrix, out MeshHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_mesh_turn_over(SessionHandle session, MeshHandle mesh, out MeshHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_mesh_turn_over(SessionHandle session, MeshHandle mesh, out MeshHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_mesh_decimate(SessionHandle session, MeshHandle mesh, ulong vertex_count, out MeshHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_mesh_decimate(SessionHandle session, MeshHandle mesh, ulong vertex_count, out MeshHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_mesh_check_same_unit(MeshHandle first, MeshHandle second, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_mesh_check_same_unit(MeshHandle first, MeshHandle second, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_representation_train(SessionHandle session, byte[] dataset_path, int kind, int neutral_only, out RepresentationHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_representation_train(SessionHandle session, byte[] dataset_path, int kind, int neutral_only, out RepresentationHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_representation_options_init(ref RepresentationOptions options, UIntPtr struct_size);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_representation_options_init(ref RepresentationOptions options, UIntPtr struct_size);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_representation_train_with_options(SessionHandle session, byte[] dataset_path, int kind, ref RepresentationOptions options, out RepresentationHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_representation_train_with_options(SessionHandle session, byte[] dataset_path, int kind, ref RepresentationOptions options, out RepresentationHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_representation_load(SessionHandle session, byte[] path, out RepresentationHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_representation_load(SessionHandle session, byte[] path, out RepresentationHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_representation_save(SessionHandle session, RepresentationHandle representation, byte[] path, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_representation_save(SessionHandle session, RepresentationHandle representation, byte[] path, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_representation_get_counts(RepresentationHandle representation, out ulong vertex_count, out ulong channel_count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_representation_get_counts(RepresentationHandle representation, out ulong vertex_count, out ulong channel_count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_representation_encode(SessionHandle session, RepresentationHandle representation, MeshHandle face, IntPtr motion, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_representation_encode(SessionHandle session, RepresentationHandle representation, MeshHandle face, IntPtr motion, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_representation_decode(SessionHandle session, RepresentationHandle representation, IntPtr features, ulong row_count, IntPtr motion, out MeshHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_representation_decode(SessionHandle session, RepresentationHandle representation, IntPtr features, ulong row_count, IntPtr motion, out MeshHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_representation_retain(IntPtr representation);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_inspect(IntPtr session, IntPtr mesh, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_clean(IntPtr session, IntPtr mesh, ulong minTriangles, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_transform(IntPtr session, IntPtr mesh, IntPtr matrix, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_turn_over(IntPtr session, IntPtr mesh, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_decimate(IntPtr session, IntPtr mesh, ulong vertexCount, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_mesh_check_same_unit(IntPtr first, IntPtr second, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_representation_train(IntPtr session, IntPtr datasetPath, int kind, int neutralOnly, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_representation_options_init(IntPtr options, UIntPtr structSize);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_representation_train_with_options(IntPtr session, IntPtr datasetPath, int kind, IntPtr options, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_representation_load(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_representation_save(IntPtr session, IntPtr representation, IntPtr path, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_representation_get_counts(IntPtr representation, IntPtr vertexCount, IntPtr channelCount, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_representation_encode(IntPtr session, IntPtr representation, IntPtr face, IntPtr motion, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_representation_decode(IntPtr session, IntPtr representation, IntPtr features, ulong rowCount, IntPtr motion, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_representation_retain(IntPtr representation);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_representation_release(IntPtr representation);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_representation_release(IntPtr representation);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_score_options_init(ref ScoreOptions options, UIntPtr struct_size);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_score_options_init(ref ScoreOptions options, UIntPtr struct_size);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_score_model_train(SessionHandle session, byte[] dataset_path, IntPtr grades, ulong grade_count, ref ScoreOptions options, out ScoreModelHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_score_model_train(SessionHandle session, byte[] dataset_path, IntPtr grades, ulong grade_count, ref ScoreOptions options, out ScoreModelHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_score_model_load(SessionHandle session, byte[] path, out ScoreModelHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_score_model_load(SessionHandle session, byte[] path, out ScoreModelHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_score_model_save(SessionHandle session, ScoreModelHandle model, byte[] path, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_score_model_save(SessionHandle session, ScoreModelHandle model, byte[] path, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_score_model_predict(SessionHandle session, ScoreModelHandle model, MeshHandle face, ref ScorePrediction @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_score_model_predict(SessionHandle session, ScoreModelHandle model, MeshHandle face, ref ScorePrediction @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_score_model_simulate(SessionHandle session, ScoreModelHandle model, IntPtr face, double target, out MeshHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_score_model_simulate(SessionHandle session, ScoreModelHandle model, IntPtr face, double target, out MeshHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_score_model_get_latent(ScoreModelHandle model, int component, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_score_model_get_latent(ScoreModelHandle model, int component, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_score_model_get_json(ScoreModelHandle model, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_score_model_get_json(ScoreModelHandle model, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_score_model_retain(IntPtr model);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_score_options_init(IntPtr options, UIntPtr structSize);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_score_model_train(IntPtr session, IntPtr datasetPath, IntPtr grades, ulong gradeCount, IntPtr options, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_score_model_load(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_score_model_save(IntPtr session, IntPtr model, IntPtr path, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_score_model_predict(IntPtr session, IntPtr model, IntPtr face, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_score_model_simulate(IntPtr session, IntPtr model, IntPtr face, double target, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_score_model_get_latent(IntPtr model, int component, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_score_model_get_json(IntPtr model, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_score_model_retain(IntPtr model);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_score_model_release(IntPtr model);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_score_model_release(IntPtr model);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_statistics_agreement(SessionHandle session, IntPtr ratings, ulong subject_count, uint rater_count, int grade_count, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_statistics_agreement(SessionHandle session, IntPtr ratings, ulong subject_count, uint rater_count, int grade_count, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_statistics_repeatability(SessionHandle session, IntPtr values, IntPtr subjects, ulong value_count, IntPtr blanks, ulong blank_count, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_statistics_repeatability(SessionHandle session, IntPtr values, IntPtr subjects, ulong value_count, IntPtr blanks, ulong blank_count, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_statistics_bland_altman(SessionHandle session, IntPtr first, IntPtr second, ulong value_count, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_statistics_bland_altman(SessionHandle session, IntPtr first, IntPtr second, ulong value_count, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_series_options_init(ref SeriesOptions options, UIntPtr struct_size);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_series_options_init(ref SeriesOptions options, UIntPtr struct_size);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_neutralize_series(SessionHandle session, ExpressionModelHandle model, out MeshHandle faces, uint face_count, ref SeriesOptions options, out SeriesHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_neutralize_series(SessionHandle session, ExpressionModelHandle model, out MeshHandle faces, uint face_count, ref SeriesOptions options, out SeriesHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_series_get_mesh(SeriesHandle series, int index, out MeshHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_series_get_mesh(SeriesHandle series, int index, out MeshHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_series_get_json(SeriesHandle series, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_series_get_json(SeriesHandle series, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_series_release(IntPtr series);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_statistics_agreement(IntPtr session, IntPtr ratings, ulong subjectCount, uint raterCount, int gradeCount, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_statistics_repeatability(IntPtr session, IntPtr values, IntPtr subjects, ulong valueCount, IntPtr blanks, ulong blankCount, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_statistics_bland_altman(IntPtr session, IntPtr first, IntPtr second, ulong valueCount, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_series_options_init(IntPtr options, UIntPtr structSize);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_neutralize_series(IntPtr session, IntPtr model, IntPtr faces, uint faceCount, IntPtr options, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_series_get_mesh(IntPtr series, int index, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_series_get_json(IntPtr series, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_series_release(IntPtr series);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_study_options_init(ref StudyOptions options, UIntPtr struct_size);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_study_options_init(ref StudyOptions options, UIntPtr struct_size);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_study_create(SessionHandle session, out RegistrationHandle registrations, uint registration_count, IntPtr expressions, ref StudyOptions options, out StudyHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_study_create(SessionHandle session, out RegistrationHandle registrations, uint registration_count, IntPtr expressions, ref StudyOptions options, out StudyHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_study_create_from_meshes(SessionHandle session, out MeshHandle faces, uint face_count, ref ArrayView normal_sd, ref ArrayView weights, IntPtr expressions, ref StudyOptions options, out StudyHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_study_create_from_meshes(SessionHandle session, out MeshHandle faces, uint face_count, ref ArrayView normal_sd, ref ArrayView weights, IntPtr expressions, ref StudyOptions options, out StudyHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_study_get_counts(StudyHandle study, out ulong visit_count, out ulong zone_count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_study_get_counts(StudyHandle study, out ulong visit_count, out ulong zone_count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_study_get_zone_name(StudyHandle study, int zone, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_study_get_zone_name(StudyHandle study, int zone, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_study_get_expression(StudyHandle study, int visit, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_study_get_expression(StudyHandle study, int visit, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_study_get_mesh(StudyHandle study, int visit, int frame, out MeshHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_study_get_mesh(StudyHandle study, int visit, int frame, out MeshHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_study_get_field(StudyHandle study, int visit, int field, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_study_get_field(StudyHandle study, int visit, int field, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_study_get_distances(StudyHandle study, int first, int second, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_study_get_distances(StudyHandle study, int first, int second, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_study_get_alignment(StudyHandle study, int first, int second, ref ZoneAlignment @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_study_get_alignment(StudyHandle study, int first, int second, ref ZoneAlignment @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_study_get_change(StudyHandle study, int first, int second, int zone, ref StudyChange @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_study_get_change(StudyHandle study, int first, int second, int zone, ref StudyChange @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_study_get_json(StudyHandle study, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_study_get_json(StudyHandle study, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_study_retain(IntPtr study);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_study_retain(IntPtr study);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_study_release(IntPtr study);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_study_release(IntPtr study);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_template_check(SessionHandle session, MeshHandle template_mesh, IntPtr landmarks, int mirror, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_template_check(SessionHandle session, MeshHandle template_mesh, IntPtr landmarks, int mirror, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_train_options_init(ref TrainOptions options, UIntPtr struct_size);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_train_options_init(ref TrainOptions options, UIntPtr struct_size);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_expression_model_train(SessionHandle session, byte[] dataset_path, ref TrainOptions options, out ExpressionModelHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_expression_model_train(SessionHandle session, byte[] dataset_path, ref TrainOptions options, out ExpressionModelHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_shard_options_init(ref ShardOptions options, UIntPtr struct_size);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_shard_options_init(ref ShardOptions options, UIntPtr struct_size);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_expression_shard_create(SessionHandle session, byte[] dataset_path, ref ShardOptions options, byte[] shard_path, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_expression_shard_create(SessionHandle session, byte[] dataset_path, ref ShardOptions options, byte[] shard_path, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_expression_model_merge(SessionHandle session, IntPtr[] shard_paths, uint shard_count, ref TrainOptions options, out ExpressionModelHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_expression_model_merge(SessionHandle session, IntPtr[] shard_paths, uint shard_count, ref TrainOptions options, out ExpressionModelHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_visits_options_init(ref VisitsOptions options, UIntPtr struct_size);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_visits_options_init(ref VisitsOptions options, UIntPtr struct_size);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_neutralize_visits(SessionHandle session, ExpressionModelHandle model, out MeshHandle faces, uint face_count, ref VisitsOptions options, out VisitsHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_neutralize_visits(SessionHandle session, ExpressionModelHandle model, out MeshHandle faces, uint face_count, ref VisitsOptions options, out VisitsHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_visits_get_mesh(VisitsHandle visits, int index, out MeshHandle @out, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_visits_get_mesh(VisitsHandle visits, int index, out MeshHandle @out, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_visits_get_expression(VisitsHandle visits, int index, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_visits_get_expression(VisitsHandle visits, int index, IntPtr dst, ulong capacity, out ulong count, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int mien_visits_get_removed_volume(VisitsHandle visits, int first, int second, ref Zone zone, IntPtr removed_ml, IntPtr sd_ml, ref Error error);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_visits_get_removed_volume(VisitsHandle visits, int first, int second, ref Zone zone, IntPtr removed_ml, IntPtr sd_ml, ref Error error);
-#endif
-
-#if NET7_0_OR_GREATER
-        [LibraryImport(Library.Name)] [UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial void mien_visits_release(IntPtr visits);
-#else
-        [DllImport(Library.Name, CallingConvention = CallingConvention.Cdecl)]
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_template_check(IntPtr session, IntPtr templateMesh, IntPtr landmarks, int mirror, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_train_options_init(IntPtr options, UIntPtr structSize);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_expression_model_train(IntPtr session, IntPtr datasetPath, IntPtr options, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_shard_options_init(IntPtr options, UIntPtr structSize);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_expression_shard_create(IntPtr session, IntPtr datasetPath, IntPtr options, IntPtr shardPath, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_expression_model_merge(IntPtr session, IntPtr shardPaths, uint shardCount, IntPtr options, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_visits_options_init(IntPtr options, UIntPtr structSize);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_neutralize_visits(IntPtr session, IntPtr model, IntPtr faces, uint faceCount, IntPtr options, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_visits_get_mesh(IntPtr visits, int index, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_visits_get_expression(IntPtr visits, int index, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_visits_get_removed_volume(IntPtr visits, int first, int second, IntPtr zone, IntPtr removedMl, IntPtr sdMl, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_visits_release(IntPtr visits);
+#else
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate IntPtr mien_status_name_function(int status);
+        internal static readonly mien_status_name_function mien_status_name = Library.Function<mien_status_name_function>("mien_status_name");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate uint mien_version_number_function();
+        internal static readonly mien_version_number_function mien_version_number = Library.Function<mien_version_number_function>("mien_version_number");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate IntPtr mien_version_string_function();
+        internal static readonly mien_version_string_function mien_version_string = Library.Function<mien_version_string_function>("mien_version_string");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate IntPtr mien_build_id_function();
+        internal static readonly mien_build_id_function mien_build_id = Library.Function<mien_build_id_function>("mien_build_id");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_session_options_init_function(IntPtr options, UIntPtr structSize);
+        internal static readonly mien_session_options_init_function mien_session_options_init = Library.Function<mien_session_options_init_function>("mien_session_options_init");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_session_create_function(uint abiVersion, IntPtr @out, IntPtr error);
+        internal static readonly mien_session_create_function mien_session_create = Library.Function<mien_session_create_function>("mien_session_create");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_session_create_with_options_function(uint abiVersion, IntPtr options, IntPtr @out, IntPtr error);
+        internal static readonly mien_session_create_with_options_function mien_session_create_with_options = Library.Function<mien_session_create_with_options_function>("mien_session_create_with_options");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_session_release_function(IntPtr session);
+        internal static readonly mien_session_release_function mien_session_release = Library.Function<mien_session_release_function>("mien_session_release");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_cancel_create_function(IntPtr @out, IntPtr error);
+        internal static readonly mien_cancel_create_function mien_cancel_create = Library.Function<mien_cancel_create_function>("mien_cancel_create");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_cancel_request_function(IntPtr cancel);
+        internal static readonly mien_cancel_request_function mien_cancel_request = Library.Function<mien_cancel_request_function>("mien_cancel_request");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_cancel_release_function(IntPtr cancel);
+        internal static readonly mien_cancel_release_function mien_cancel_release = Library.Function<mien_cancel_release_function>("mien_cancel_release");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_mesh_arrays_init_function(IntPtr arrays, UIntPtr structSize);
+        internal static readonly mien_mesh_arrays_init_function mien_mesh_arrays_init = Library.Function<mien_mesh_arrays_init_function>("mien_mesh_arrays_init");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_mesh_create_function(IntPtr session, IntPtr arrays, IntPtr @out, IntPtr error);
+        internal static readonly mien_mesh_create_function mien_mesh_create = Library.Function<mien_mesh_create_function>("mien_mesh_create");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_mesh_load_function(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
+        internal static readonly mien_mesh_load_function mien_mesh_load = Library.Function<mien_mesh_load_function>("mien_mesh_load");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_mesh_save_function(IntPtr session, IntPtr mesh, IntPtr path, IntPtr error);
+        internal static readonly mien_mesh_save_function mien_mesh_save = Library.Function<mien_mesh_save_function>("mien_mesh_save");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_mesh_get_counts_function(IntPtr mesh, IntPtr vertexCount, IntPtr triangleCount, IntPtr error);
+        internal static readonly mien_mesh_get_counts_function mien_mesh_get_counts = Library.Function<mien_mesh_get_counts_function>("mien_mesh_get_counts");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_mesh_get_positions_function(IntPtr mesh, int dtype, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_mesh_get_positions_function mien_mesh_get_positions = Library.Function<mien_mesh_get_positions_function>("mien_mesh_get_positions");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_mesh_get_triangles_function(IntPtr mesh, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_mesh_get_triangles_function mien_mesh_get_triangles = Library.Function<mien_mesh_get_triangles_function>("mien_mesh_get_triangles");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_mesh_get_colors_function(IntPtr mesh, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_mesh_get_colors_function mien_mesh_get_colors = Library.Function<mien_mesh_get_colors_function>("mien_mesh_get_colors");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate uint mien_mesh_format_count_function();
+        internal static readonly mien_mesh_format_count_function mien_mesh_format_count = Library.Function<mien_mesh_format_count_function>("mien_mesh_format_count");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate IntPtr mien_mesh_format_extension_function(uint format);
+        internal static readonly mien_mesh_format_extension_function mien_mesh_format_extension = Library.Function<mien_mesh_format_extension_function>("mien_mesh_format_extension");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate IntPtr mien_mesh_format_description_function(uint format);
+        internal static readonly mien_mesh_format_description_function mien_mesh_format_description = Library.Function<mien_mesh_format_description_function>("mien_mesh_format_description");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_mesh_format_writes_function(uint format);
+        internal static readonly mien_mesh_format_writes_function mien_mesh_format_writes = Library.Function<mien_mesh_format_writes_function>("mien_mesh_format_writes");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_mesh_get_texture_function(IntPtr mesh, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_mesh_get_texture_function mien_mesh_get_texture = Library.Function<mien_mesh_get_texture_function>("mien_mesh_get_texture");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_mesh_get_texture_triangles_function(IntPtr mesh, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_mesh_get_texture_triangles_function mien_mesh_get_texture_triangles = Library.Function<mien_mesh_get_texture_triangles_function>("mien_mesh_get_texture_triangles");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_mesh_get_triangle_materials_function(IntPtr mesh, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_mesh_get_triangle_materials_function mien_mesh_get_triangle_materials = Library.Function<mien_mesh_get_triangle_materials_function>("mien_mesh_get_triangle_materials");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_mesh_get_material_counts_function(IntPtr mesh, IntPtr materialCount, IntPtr imageCount, IntPtr error);
+        internal static readonly mien_mesh_get_material_counts_function mien_mesh_get_material_counts = Library.Function<mien_mesh_get_material_counts_function>("mien_mesh_get_material_counts");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_mesh_get_material_function(IntPtr mesh, ulong material, IntPtr image, IntPtr red, IntPtr green, IntPtr blue, IntPtr error);
+        internal static readonly mien_mesh_get_material_function mien_mesh_get_material = Library.Function<mien_mesh_get_material_function>("mien_mesh_get_material");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_mesh_get_material_name_function(IntPtr mesh, ulong material, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_mesh_get_material_name_function mien_mesh_get_material_name = Library.Function<mien_mesh_get_material_name_function>("mien_mesh_get_material_name");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_mesh_get_image_name_function(IntPtr mesh, ulong image, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_mesh_get_image_name_function mien_mesh_get_image_name = Library.Function<mien_mesh_get_image_name_function>("mien_mesh_get_image_name");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_mesh_get_image_file_function(IntPtr mesh, ulong image, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_mesh_get_image_file_function mien_mesh_get_image_file = Library.Function<mien_mesh_get_image_file_function>("mien_mesh_get_image_file");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_mesh_get_image_size_function(IntPtr mesh, ulong image, IntPtr width, IntPtr height, IntPtr error);
+        internal static readonly mien_mesh_get_image_size_function mien_mesh_get_image_size = Library.Function<mien_mesh_get_image_size_function>("mien_mesh_get_image_size");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_mesh_get_image_pixels_function(IntPtr session, IntPtr mesh, ulong image, ulong rowStrideBytes, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_mesh_get_image_pixels_function mien_mesh_get_image_pixels = Library.Function<mien_mesh_get_image_pixels_function>("mien_mesh_get_image_pixels");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_mesh_save_targets_function(IntPtr session, IntPtr mesh, IntPtr targets, IntPtr names, ulong targetCount, IntPtr path, IntPtr error);
+        internal static readonly mien_mesh_save_targets_function mien_mesh_save_targets = Library.Function<mien_mesh_save_targets_function>("mien_mesh_save_targets");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_mesh_load_target_function(IntPtr session, IntPtr path, IntPtr name, IntPtr @out, IntPtr error);
+        internal static readonly mien_mesh_load_target_function mien_mesh_load_target = Library.Function<mien_mesh_load_target_function>("mien_mesh_load_target");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_mesh_positions_view_function(IntPtr mesh, IntPtr data, IntPtr count, IntPtr error);
+        internal static readonly mien_mesh_positions_view_function mien_mesh_positions_view = Library.Function<mien_mesh_positions_view_function>("mien_mesh_positions_view");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_mesh_retain_function(IntPtr mesh);
+        internal static readonly mien_mesh_retain_function mien_mesh_retain = Library.Function<mien_mesh_retain_function>("mien_mesh_retain");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_mesh_release_function(IntPtr mesh);
+        internal static readonly mien_mesh_release_function mien_mesh_release = Library.Function<mien_mesh_release_function>("mien_mesh_release");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_spectral_basis_options_init_function(IntPtr options, UIntPtr structSize);
+        internal static readonly mien_spectral_basis_options_init_function mien_spectral_basis_options_init = Library.Function<mien_spectral_basis_options_init_function>("mien_spectral_basis_options_init");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_spectral_basis_build_function(IntPtr session, IntPtr mean, IntPtr options, IntPtr @out, IntPtr error);
+        internal static readonly mien_spectral_basis_build_function mien_spectral_basis_build = Library.Function<mien_spectral_basis_build_function>("mien_spectral_basis_build");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_spectral_basis_load_function(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
+        internal static readonly mien_spectral_basis_load_function mien_spectral_basis_load = Library.Function<mien_spectral_basis_load_function>("mien_spectral_basis_load");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_spectral_basis_save_function(IntPtr session, IntPtr basis, IntPtr path, IntPtr error);
+        internal static readonly mien_spectral_basis_save_function mien_spectral_basis_save = Library.Function<mien_spectral_basis_save_function>("mien_spectral_basis_save");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_spectral_basis_get_counts_function(IntPtr basis, IntPtr vertexCount, IntPtr modeCount, IntPtr error);
+        internal static readonly mien_spectral_basis_get_counts_function mien_spectral_basis_get_counts = Library.Function<mien_spectral_basis_get_counts_function>("mien_spectral_basis_get_counts");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_spectral_basis_get_eigenvalues_function(IntPtr basis, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_spectral_basis_get_eigenvalues_function mien_spectral_basis_get_eigenvalues = Library.Function<mien_spectral_basis_get_eigenvalues_function>("mien_spectral_basis_get_eigenvalues");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_spectral_basis_retain_function(IntPtr basis);
+        internal static readonly mien_spectral_basis_retain_function mien_spectral_basis_retain = Library.Function<mien_spectral_basis_retain_function>("mien_spectral_basis_retain");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_spectral_basis_release_function(IntPtr basis);
+        internal static readonly mien_spectral_basis_release_function mien_spectral_basis_release = Library.Function<mien_spectral_basis_release_function>("mien_spectral_basis_release");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_spectral_split_function(IntPtr session, IntPtr basis, IntPtr face, ulong k, IntPtr low, IntPtr high, IntPtr error);
+        internal static readonly mien_spectral_split_function mien_spectral_split = Library.Function<mien_spectral_split_function>("mien_spectral_split");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_spectral_assemble_function(IntPtr session, IntPtr basis, IntPtr low, IntPtr high, ulong k, IntPtr @out, IntPtr error);
+        internal static readonly mien_spectral_assemble_function mien_spectral_assemble = Library.Function<mien_spectral_assemble_function>("mien_spectral_assemble");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_spectral_edit_function(IntPtr session, IntPtr basis, IntPtr face, IntPtr limits, ulong limitCount, IntPtr gains, IntPtr @out, IntPtr error);
+        internal static readonly mien_spectral_edit_function mien_spectral_edit = Library.Function<mien_spectral_edit_function>("mien_spectral_edit");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_spectral_mix_function(IntPtr session, IntPtr basis, IntPtr first, IntPtr second, IntPtr limits, ulong limitCount, IntPtr weights, IntPtr @out, IntPtr error);
+        internal static readonly mien_spectral_mix_function mien_spectral_mix = Library.Function<mien_spectral_mix_function>("mien_spectral_mix");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_metric_function(IntPtr session, int metric, IntPtr reference, IntPtr other, IntPtr value, IntPtr error);
+        internal static readonly mien_metric_function mien_metric = Library.Function<mien_metric_function>("mien_metric");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_transfer_expression_function(IntPtr session, IntPtr sourceNeutral, IntPtr sourceExpression, IntPtr targetNeutral, IntPtr @out, IntPtr error);
+        internal static readonly mien_transfer_expression_function mien_transfer_expression = Library.Function<mien_transfer_expression_function>("mien_transfer_expression");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_blendshape_options_init_function(IntPtr options, UIntPtr structSize);
+        internal static readonly mien_blendshape_options_init_function mien_blendshape_options_init = Library.Function<mien_blendshape_options_init_function>("mien_blendshape_options_init");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_blendshape_model_train_function(IntPtr session, IntPtr datasetPath, IntPtr expression, IntPtr options, IntPtr @out, IntPtr error);
+        internal static readonly mien_blendshape_model_train_function mien_blendshape_model_train = Library.Function<mien_blendshape_model_train_function>("mien_blendshape_model_train");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_blendshape_model_load_function(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
+        internal static readonly mien_blendshape_model_load_function mien_blendshape_model_load = Library.Function<mien_blendshape_model_load_function>("mien_blendshape_model_load");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_blendshape_model_save_function(IntPtr session, IntPtr model, IntPtr path, IntPtr error);
+        internal static readonly mien_blendshape_model_save_function mien_blendshape_model_save = Library.Function<mien_blendshape_model_save_function>("mien_blendshape_model_save");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_blendshape_model_get_mean_function(IntPtr model, IntPtr @out, IntPtr error);
+        internal static readonly mien_blendshape_model_get_mean_function mien_blendshape_model_get_mean = Library.Function<mien_blendshape_model_get_mean_function>("mien_blendshape_model_get_mean");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_blendshape_model_predict_function(IntPtr session, IntPtr model, IntPtr basis, ulong k, IntPtr neutral, IntPtr @out, IntPtr error);
+        internal static readonly mien_blendshape_model_predict_function mien_blendshape_model_predict = Library.Function<mien_blendshape_model_predict_function>("mien_blendshape_model_predict");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_blendshape_model_search_function(IntPtr session, IntPtr model, IntPtr basis, IntPtr datasetPath, IntPtr expression, IntPtr candidates, uint candidateCount, IntPtr options, IntPtr choices, IntPtr error);
+        internal static readonly mien_blendshape_model_search_function mien_blendshape_model_search = Library.Function<mien_blendshape_model_search_function>("mien_blendshape_model_search");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_blendshape_model_retain_function(IntPtr model);
+        internal static readonly mien_blendshape_model_retain_function mien_blendshape_model_retain = Library.Function<mien_blendshape_model_retain_function>("mien_blendshape_model_retain");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_blendshape_model_release_function(IntPtr model);
+        internal static readonly mien_blendshape_model_release_function mien_blendshape_model_release = Library.Function<mien_blendshape_model_release_function>("mien_blendshape_model_release");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_dataset_writer_create_function(IntPtr session, IntPtr topology, IntPtr expressionNames, uint expressionCount, IntPtr @out, IntPtr error);
+        internal static readonly mien_dataset_writer_create_function mien_dataset_writer_create = Library.Function<mien_dataset_writer_create_function>("mien_dataset_writer_create");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_dataset_writer_add_function(IntPtr writer, IntPtr positions, int subject, int expression, IntPtr error);
+        internal static readonly mien_dataset_writer_add_function mien_dataset_writer_add = Library.Function<mien_dataset_writer_add_function>("mien_dataset_writer_add");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_dataset_writer_save_function(IntPtr session, IntPtr writer, IntPtr path, IntPtr error);
+        internal static readonly mien_dataset_writer_save_function mien_dataset_writer_save = Library.Function<mien_dataset_writer_save_function>("mien_dataset_writer_save");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_dataset_writer_release_function(IntPtr writer);
+        internal static readonly mien_dataset_writer_release_function mien_dataset_writer_release = Library.Function<mien_dataset_writer_release_function>("mien_dataset_writer_release");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_model_options_init_function(IntPtr options, UIntPtr structSize);
+        internal static readonly mien_model_options_init_function mien_model_options_init = Library.Function<mien_model_options_init_function>("mien_model_options_init");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_model_build_function(IntPtr session, IntPtr templateMesh, IntPtr options, IntPtr @out, IntPtr error);
+        internal static readonly mien_model_build_function mien_model_build = Library.Function<mien_model_build_function>("mien_model_build");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_model_load_function(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
+        internal static readonly mien_model_load_function mien_model_load = Library.Function<mien_model_load_function>("mien_model_load");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_model_load_memory_function(IntPtr session, IntPtr data, ulong size, IntPtr @out, IntPtr error);
+        internal static readonly mien_model_load_memory_function mien_model_load_memory = Library.Function<mien_model_load_memory_function>("mien_model_load_memory");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_model_load_trusted_function(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
+        internal static readonly mien_model_load_trusted_function mien_model_load_trusted = Library.Function<mien_model_load_trusted_function>("mien_model_load_trusted");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_model_save_function(IntPtr session, IntPtr model, IntPtr path, IntPtr error);
+        internal static readonly mien_model_save_function mien_model_save = Library.Function<mien_model_save_function>("mien_model_save");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_model_get_counts_function(IntPtr model, IntPtr vertexCount, IntPtr scalarModes, IntPtr vectorModes, IntPtr error);
+        internal static readonly mien_model_get_counts_function mien_model_get_counts = Library.Function<mien_model_get_counts_function>("mien_model_get_counts");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_model_get_json_function(IntPtr model, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_model_get_json_function mien_model_get_json = Library.Function<mien_model_get_json_function>("mien_model_get_json");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_model_get_variance_function(IntPtr model, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_model_get_variance_function mien_model_get_variance = Library.Function<mien_model_get_variance_function>("mien_model_get_variance");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_model_sample_function(IntPtr session, IntPtr model, ulong seed, ulong index, double strength, IntPtr @out, IntPtr error);
+        internal static readonly mien_model_sample_function mien_model_sample = Library.Function<mien_model_sample_function>("mien_model_sample");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_model_condition_function(IntPtr session, IntPtr model, IntPtr observations, ulong observationCount, IntPtr @out, IntPtr error);
+        internal static readonly mien_model_condition_function mien_model_condition = Library.Function<mien_model_condition_function>("mien_model_condition");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_tune_options_init_function(IntPtr options, UIntPtr structSize);
+        internal static readonly mien_tune_options_init_function mien_tune_options_init = Library.Function<mien_tune_options_init_function>("mien_tune_options_init");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_model_tune_function(IntPtr session, IntPtr templateMesh, IntPtr dataset, IntPtr options, IntPtr @out, IntPtr error);
+        internal static readonly mien_model_tune_function mien_model_tune = Library.Function<mien_model_tune_function>("mien_model_tune");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_tuning_get_json_function(IntPtr tuning, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_tuning_get_json_function mien_tuning_get_json = Library.Function<mien_tuning_get_json_function>("mien_tuning_get_json");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_tuning_release_function(IntPtr tuning);
+        internal static readonly mien_tuning_release_function mien_tuning_release = Library.Function<mien_tuning_release_function>("mien_tuning_release");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate IntPtr mien_model_mesh_function(IntPtr model);
+        internal static readonly mien_model_mesh_function mien_model_mesh = Library.Function<mien_model_mesh_function>("mien_model_mesh");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_model_retain_function(IntPtr model);
+        internal static readonly mien_model_retain_function mien_model_retain = Library.Function<mien_model_retain_function>("mien_model_retain");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_model_release_function(IntPtr model);
+        internal static readonly mien_model_release_function mien_model_release = Library.Function<mien_model_release_function>("mien_model_release");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_landmarks_load_function(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
+        internal static readonly mien_landmarks_load_function mien_landmarks_load = Library.Function<mien_landmarks_load_function>("mien_landmarks_load");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_landmarks_create_function(IntPtr landmarks, ulong landmarkCount, IntPtr @out, IntPtr error);
+        internal static readonly mien_landmarks_create_function mien_landmarks_create = Library.Function<mien_landmarks_create_function>("mien_landmarks_create");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_model_get_landmarks_function(IntPtr model, IntPtr @out, IntPtr error);
+        internal static readonly mien_model_get_landmarks_function mien_model_get_landmarks = Library.Function<mien_model_get_landmarks_function>("mien_model_get_landmarks");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_landmarks_match_function(IntPtr landmarks, IntPtr model, IntPtr @out, IntPtr error);
+        internal static readonly mien_landmarks_match_function mien_landmarks_match = Library.Function<mien_landmarks_match_function>("mien_landmarks_match");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_landmarks_on_mesh_function(IntPtr landmarks, IntPtr mesh, IntPtr @out, IntPtr error);
+        internal static readonly mien_landmarks_on_mesh_function mien_landmarks_on_mesh = Library.Function<mien_landmarks_on_mesh_function>("mien_landmarks_on_mesh");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_landmarks_save_function(IntPtr session, IntPtr landmarks, IntPtr path, IntPtr error);
+        internal static readonly mien_landmarks_save_function mien_landmarks_save = Library.Function<mien_landmarks_save_function>("mien_landmarks_save");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_landmarks_get_counts_function(IntPtr landmarks, IntPtr count, IntPtr pickedCount, IntPtr error);
+        internal static readonly mien_landmarks_get_counts_function mien_landmarks_get_counts = Library.Function<mien_landmarks_get_counts_function>("mien_landmarks_get_counts");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_landmarks_get_name_function(IntPtr landmarks, ulong index, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_landmarks_get_name_function mien_landmarks_get_name = Library.Function<mien_landmarks_get_name_function>("mien_landmarks_get_name");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_landmarks_get_mark_function(IntPtr landmarks, ulong index, IntPtr where, IntPtr position, IntPtr vertex, IntPtr error);
+        internal static readonly mien_landmarks_get_mark_function mien_landmarks_get_mark = Library.Function<mien_landmarks_get_mark_function>("mien_landmarks_get_mark");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_landmarks_get_json_function(IntPtr landmarks, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_landmarks_get_json_function mien_landmarks_get_json = Library.Function<mien_landmarks_get_json_function>("mien_landmarks_get_json");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_landmarks_retain_function(IntPtr landmarks);
+        internal static readonly mien_landmarks_retain_function mien_landmarks_retain = Library.Function<mien_landmarks_retain_function>("mien_landmarks_retain");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_landmarks_release_function(IntPtr landmarks);
+        internal static readonly mien_landmarks_release_function mien_landmarks_release = Library.Function<mien_landmarks_release_function>("mien_landmarks_release");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_zones_load_function(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
+        internal static readonly mien_zones_load_function mien_zones_load = Library.Function<mien_zones_load_function>("mien_zones_load");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_zones_create_function(IntPtr zones, ulong zoneCount, IntPtr @out, IntPtr error);
+        internal static readonly mien_zones_create_function mien_zones_create = Library.Function<mien_zones_create_function>("mien_zones_create");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_model_get_zones_function(IntPtr model, IntPtr @out, IntPtr error);
+        internal static readonly mien_model_get_zones_function mien_model_get_zones = Library.Function<mien_model_get_zones_function>("mien_model_get_zones");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_zones_save_function(IntPtr session, IntPtr zones, IntPtr path, IntPtr error);
+        internal static readonly mien_zones_save_function mien_zones_save = Library.Function<mien_zones_save_function>("mien_zones_save");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_zones_get_count_function(IntPtr zones, IntPtr count, IntPtr error);
+        internal static readonly mien_zones_get_count_function mien_zones_get_count = Library.Function<mien_zones_get_count_function>("mien_zones_get_count");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_zones_get_name_function(IntPtr zones, ulong index, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_zones_get_name_function mien_zones_get_name = Library.Function<mien_zones_get_name_function>("mien_zones_get_name");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_zones_get_vertices_function(IntPtr zones, ulong index, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_zones_get_vertices_function mien_zones_get_vertices = Library.Function<mien_zones_get_vertices_function>("mien_zones_get_vertices");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_zones_retain_function(IntPtr zones);
+        internal static readonly mien_zones_retain_function mien_zones_retain = Library.Function<mien_zones_retain_function>("mien_zones_retain");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_zones_release_function(IntPtr zones);
+        internal static readonly mien_zones_release_function mien_zones_release = Library.Function<mien_zones_release_function>("mien_zones_release");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_register_options_init_function(IntPtr options, UIntPtr structSize);
+        internal static readonly mien_register_options_init_function mien_register_options_init = Library.Function<mien_register_options_init_function>("mien_register_options_init");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_register_function(IntPtr session, IntPtr model, IntPtr scan, IntPtr options, IntPtr @out, IntPtr error);
+        internal static readonly mien_register_function mien_register = Library.Function<mien_register_function>("mien_register");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate IntPtr mien_registration_mesh_function(IntPtr registration);
+        internal static readonly mien_registration_mesh_function mien_registration_mesh = Library.Function<mien_registration_mesh_function>("mien_registration_mesh");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_registration_get_verdict_function(IntPtr registration, IntPtr @out, IntPtr error);
+        internal static readonly mien_registration_get_verdict_function mien_registration_get_verdict = Library.Function<mien_registration_get_verdict_function>("mien_registration_get_verdict");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_registration_get_field_function(IntPtr registration, int field, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_registration_get_field_function mien_registration_get_field = Library.Function<mien_registration_get_field_function>("mien_registration_get_field");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_registration_get_correspondence_function(IntPtr registration, IntPtr triangles, IntPtr barycentric, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_registration_get_correspondence_function mien_registration_get_correspondence = Library.Function<mien_registration_get_correspondence_function>("mien_registration_get_correspondence");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_registration_get_motion_function(IntPtr registration, IntPtr matrix, IntPtr error);
+        internal static readonly mien_registration_get_motion_function mien_registration_get_motion = Library.Function<mien_registration_get_motion_function>("mien_registration_get_motion");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_registration_get_json_function(IntPtr registration, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_registration_get_json_function mien_registration_get_json = Library.Function<mien_registration_get_json_function>("mien_registration_get_json");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_registration_retain_function(IntPtr registration);
+        internal static readonly mien_registration_retain_function mien_registration_retain = Library.Function<mien_registration_retain_function>("mien_registration_retain");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_registration_release_function(IntPtr registration);
+        internal static readonly mien_registration_release_function mien_registration_release = Library.Function<mien_registration_release_function>("mien_registration_release");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_surface_transfer_points_function(IntPtr session, IntPtr surface, IntPtr points, double maxDistanceMm, IntPtr triangles, IntPtr barycentric, IntPtr positions, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_surface_transfer_points_function mien_surface_transfer_points = Library.Function<mien_surface_transfer_points_function>("mien_surface_transfer_points");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_surface_transfer_zone_function(IntPtr session, IntPtr from, IntPtr vertices, ulong vertexCount, IntPtr to, double maxDistanceMm, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_surface_transfer_zone_function mien_surface_transfer_zone = Library.Function<mien_surface_transfer_zone_function>("mien_surface_transfer_zone");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_surface_transfer_json_function(IntPtr session, IntPtr model, IntPtr fitted, IntPtr scan, int what, double maxDistanceMm, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_surface_transfer_json_function mien_surface_transfer_json = Library.Function<mien_surface_transfer_json_function>("mien_surface_transfer_json");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_expression_model_load_function(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
+        internal static readonly mien_expression_model_load_function mien_expression_model_load = Library.Function<mien_expression_model_load_function>("mien_expression_model_load");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_expression_model_load_memory_function(IntPtr session, IntPtr data, ulong size, IntPtr @out, IntPtr error);
+        internal static readonly mien_expression_model_load_memory_function mien_expression_model_load_memory = Library.Function<mien_expression_model_load_memory_function>("mien_expression_model_load_memory");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_expression_model_save_function(IntPtr session, IntPtr model, IntPtr path, IntPtr error);
+        internal static readonly mien_expression_model_save_function mien_expression_model_save = Library.Function<mien_expression_model_save_function>("mien_expression_model_save");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_expression_model_retain_function(IntPtr model);
+        internal static readonly mien_expression_model_retain_function mien_expression_model_retain = Library.Function<mien_expression_model_retain_function>("mien_expression_model_retain");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_expression_model_release_function(IntPtr model);
+        internal static readonly mien_expression_model_release_function mien_expression_model_release = Library.Function<mien_expression_model_release_function>("mien_expression_model_release");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_expression_model_get_counts_function(IntPtr model, IntPtr vertexCount, IntPtr identityModes, IntPtr expressionModes, IntPtr error);
+        internal static readonly mien_expression_model_get_counts_function mien_expression_model_get_counts = Library.Function<mien_expression_model_get_counts_function>("mien_expression_model_get_counts");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_expression_model_get_json_function(IntPtr model, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_expression_model_get_json_function mien_expression_model_get_json = Library.Function<mien_expression_model_get_json_function>("mien_expression_model_get_json");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_expression_model_synthesize_function(IntPtr session, IntPtr model, IntPtr identity, IntPtr expression, IntPtr @out, IntPtr error);
+        internal static readonly mien_expression_model_synthesize_function mien_expression_model_synthesize = Library.Function<mien_expression_model_synthesize_function>("mien_expression_model_synthesize");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_expression_model_sample_function(IntPtr session, IntPtr model, ulong seed, IntPtr expression, IntPtr @out, IntPtr error);
+        internal static readonly mien_expression_model_sample_function mien_expression_model_sample = Library.Function<mien_expression_model_sample_function>("mien_expression_model_sample");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_neutralize_options_init_function(IntPtr options, UIntPtr structSize);
+        internal static readonly mien_neutralize_options_init_function mien_neutralize_options_init = Library.Function<mien_neutralize_options_init_function>("mien_neutralize_options_init");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_neutralize_function(IntPtr session, IntPtr model, IntPtr fitted, IntPtr options, IntPtr @out, IntPtr error);
+        internal static readonly mien_neutralize_function mien_neutralize = Library.Function<mien_neutralize_function>("mien_neutralize");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_neutralize_mesh_function(IntPtr session, IntPtr model, IntPtr face, IntPtr options, IntPtr @out, IntPtr error);
+        internal static readonly mien_neutralize_mesh_function mien_neutralize_mesh = Library.Function<mien_neutralize_mesh_function>("mien_neutralize_mesh");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate IntPtr mien_neutralization_mesh_function(IntPtr neutralization);
+        internal static readonly mien_neutralization_mesh_function mien_neutralization_mesh = Library.Function<mien_neutralization_mesh_function>("mien_neutralization_mesh");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_neutralization_get_counts_function(IntPtr neutralization, IntPtr vertexCount, IntPtr identityModes, IntPtr expressionModes, IntPtr error);
+        internal static readonly mien_neutralization_get_counts_function mien_neutralization_get_counts = Library.Function<mien_neutralization_get_counts_function>("mien_neutralization_get_counts");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_neutralization_get_coordinates_function(IntPtr neutralization, IntPtr identity, IntPtr expression, IntPtr error);
+        internal static readonly mien_neutralization_get_coordinates_function mien_neutralization_get_coordinates = Library.Function<mien_neutralization_get_coordinates_function>("mien_neutralization_get_coordinates");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_neutralization_get_uncertainty_function(IntPtr neutralization, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_neutralization_get_uncertainty_function mien_neutralization_get_uncertainty = Library.Function<mien_neutralization_get_uncertainty_function>("mien_neutralization_get_uncertainty");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_neutralization_get_json_function(IntPtr neutralization, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_neutralization_get_json_function mien_neutralization_get_json = Library.Function<mien_neutralization_get_json_function>("mien_neutralization_get_json");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_neutralization_release_function(IntPtr neutralization);
+        internal static readonly mien_neutralization_release_function mien_neutralization_release = Library.Function<mien_neutralization_release_function>("mien_neutralization_release");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_neutralization_apply_to_scan_function(IntPtr session, IntPtr neutralization, IntPtr scan, double maxDistanceMm, IntPtr @out, IntPtr error);
+        internal static readonly mien_neutralization_apply_to_scan_function mien_neutralization_apply_to_scan = Library.Function<mien_neutralization_apply_to_scan_function>("mien_neutralization_apply_to_scan");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_expression_model_transfer_function(IntPtr session, IntPtr model, IntPtr source, IntPtr target, IntPtr @out, IntPtr error);
+        internal static readonly mien_expression_model_transfer_function mien_expression_model_transfer = Library.Function<mien_expression_model_transfer_function>("mien_expression_model_transfer");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_evaluate_options_init_function(IntPtr options, UIntPtr structSize);
+        internal static readonly mien_evaluate_options_init_function mien_evaluate_options_init = Library.Function<mien_evaluate_options_init_function>("mien_evaluate_options_init");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_evaluate_neutralization_function(IntPtr session, IntPtr model, IntPtr datasetPath, IntPtr options, IntPtr @out, IntPtr error);
+        internal static readonly mien_evaluate_neutralization_function mien_evaluate_neutralization = Library.Function<mien_evaluate_neutralization_function>("mien_evaluate_neutralization");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_evaluation_get_json_function(IntPtr evaluation, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_evaluation_get_json_function mien_evaluation_get_json = Library.Function<mien_evaluation_get_json_function>("mien_evaluation_get_json");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_evaluation_release_function(IntPtr evaluation);
+        internal static readonly mien_evaluation_release_function mien_evaluation_release = Library.Function<mien_evaluation_release_function>("mien_evaluation_release");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_hierarchy_build_quadric_function(IntPtr session, IntPtr mesh, uint levelCount, double factor, IntPtr @out, IntPtr error);
+        internal static readonly mien_hierarchy_build_quadric_function mien_hierarchy_build_quadric = Library.Function<mien_hierarchy_build_quadric_function>("mien_hierarchy_build_quadric");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_hierarchy_build_connectivity_function(IntPtr session, IntPtr mesh, uint levelCount, uint stride, uint radius, IntPtr @out, IntPtr error);
+        internal static readonly mien_hierarchy_build_connectivity_function mien_hierarchy_build_connectivity = Library.Function<mien_hierarchy_build_connectivity_function>("mien_hierarchy_build_connectivity");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_hierarchy_load_function(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
+        internal static readonly mien_hierarchy_load_function mien_hierarchy_load = Library.Function<mien_hierarchy_load_function>("mien_hierarchy_load");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_hierarchy_save_function(IntPtr session, IntPtr hierarchy, IntPtr path, IntPtr error);
+        internal static readonly mien_hierarchy_save_function mien_hierarchy_save = Library.Function<mien_hierarchy_save_function>("mien_hierarchy_save");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_hierarchy_get_level_count_function(IntPtr hierarchy, IntPtr levelCount, IntPtr error);
+        internal static readonly mien_hierarchy_get_level_count_function mien_hierarchy_get_level_count = Library.Function<mien_hierarchy_get_level_count_function>("mien_hierarchy_get_level_count");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_hierarchy_get_level_function(IntPtr hierarchy, uint level, IntPtr @out, IntPtr error);
+        internal static readonly mien_hierarchy_get_level_function mien_hierarchy_get_level = Library.Function<mien_hierarchy_get_level_function>("mien_hierarchy_get_level");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_hierarchy_apply_function(IntPtr hierarchy, uint level, int direction, IntPtr values, ulong rowCount, ulong channelCount, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_hierarchy_apply_function mien_hierarchy_apply = Library.Function<mien_hierarchy_apply_function>("mien_hierarchy_apply");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_hierarchy_retain_function(IntPtr hierarchy);
+        internal static readonly mien_hierarchy_retain_function mien_hierarchy_retain = Library.Function<mien_hierarchy_retain_function>("mien_hierarchy_retain");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_hierarchy_release_function(IntPtr hierarchy);
+        internal static readonly mien_hierarchy_release_function mien_hierarchy_release = Library.Function<mien_hierarchy_release_function>("mien_hierarchy_release");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_measure_options_init_function(IntPtr options, UIntPtr structSize);
+        internal static readonly mien_measure_options_init_function mien_measure_options_init = Library.Function<mien_measure_options_init_function>("mien_measure_options_init");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_measure_volume_function(IntPtr session, IntPtr before, IntPtr after, IntPtr options, IntPtr @out, IntPtr error);
+        internal static readonly mien_measure_volume_function mien_measure_volume = Library.Function<mien_measure_volume_function>("mien_measure_volume");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_measure_distance_function(IntPtr session, IntPtr before, IntPtr after, IntPtr options, IntPtr @out, IntPtr error);
+        internal static readonly mien_measure_distance_function mien_measure_distance = Library.Function<mien_measure_distance_function>("mien_measure_distance");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_measure_surface_distance_function(IntPtr session, IntPtr before, IntPtr after, IntPtr options, IntPtr @out, IntPtr error);
+        internal static readonly mien_measure_surface_distance_function mien_measure_surface_distance = Library.Function<mien_measure_surface_distance_function>("mien_measure_surface_distance");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_measure_closed_volume_function(IntPtr session, IntPtr mesh, int closeRims, IntPtr volumeMl, IntPtr error);
+        internal static readonly mien_measure_closed_volume_function mien_measure_closed_volume = Library.Function<mien_measure_closed_volume_function>("mien_measure_closed_volume");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_measure_area_function(IntPtr session, IntPtr mesh, IntPtr zone, IntPtr areaMm2, IntPtr error);
+        internal static readonly mien_measure_area_function mien_measure_area = Library.Function<mien_measure_area_function>("mien_measure_area");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_measure_curvature_function(IntPtr session, IntPtr mesh, double radiusMm, int robust, IntPtr options, IntPtr @out, IntPtr error);
+        internal static readonly mien_measure_curvature_function mien_measure_curvature = Library.Function<mien_measure_curvature_function>("mien_measure_curvature");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_measure_lengths_function(IntPtr session, IntPtr mesh, IntPtr pairs, ulong pairCount, IntPtr straightMm, IntPtr geodesicMm, IntPtr error);
+        internal static readonly mien_measure_lengths_function mien_measure_lengths = Library.Function<mien_measure_lengths_function>("mien_measure_lengths");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_measure_scan_volume_function(IntPtr session, IntPtr before, IntPtr after, int carry, IntPtr direction, IntPtr options, IntPtr coverage, IntPtr @out, IntPtr error);
+        internal static readonly mien_measure_scan_volume_function mien_measure_scan_volume = Library.Function<mien_measure_scan_volume_function>("mien_measure_scan_volume");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_measure_align_function(IntPtr session, IntPtr moving, IntPtr target, IntPtr stable, IntPtr info, IntPtr @out, IntPtr error);
+        internal static readonly mien_measure_align_function mien_measure_align = Library.Function<mien_measure_align_function>("mien_measure_align");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_measurement_get_zones_function(IntPtr measurement, IntPtr zoneCount, IntPtr zonesDisjoint, IntPtr error);
+        internal static readonly mien_measurement_get_zones_function mien_measurement_get_zones = Library.Function<mien_measurement_get_zones_function>("mien_measurement_get_zones");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_measurement_get_volume_function(IntPtr measurement, int zone, IntPtr @out, IntPtr error);
+        internal static readonly mien_measurement_get_volume_function mien_measurement_get_volume = Library.Function<mien_measurement_get_volume_function>("mien_measurement_get_volume");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_measurement_get_distance_function(IntPtr measurement, int zone, IntPtr @out, IntPtr error);
+        internal static readonly mien_measurement_get_distance_function mien_measurement_get_distance = Library.Function<mien_measurement_get_distance_function>("mien_measurement_get_distance");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_measurement_get_field_function(IntPtr measurement, int field, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_measurement_get_field_function mien_measurement_get_field = Library.Function<mien_measurement_get_field_function>("mien_measurement_get_field");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_measurement_get_json_function(IntPtr measurement, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_measurement_get_json_function mien_measurement_get_json = Library.Function<mien_measurement_get_json_function>("mien_measurement_get_json");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_measurement_release_function(IntPtr measurement);
+        internal static readonly mien_measurement_release_function mien_measurement_release = Library.Function<mien_measurement_release_function>("mien_measurement_release");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_mesh_inspect_function(IntPtr session, IntPtr mesh, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_mesh_inspect_function mien_mesh_inspect = Library.Function<mien_mesh_inspect_function>("mien_mesh_inspect");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_mesh_clean_function(IntPtr session, IntPtr mesh, ulong minTriangles, IntPtr @out, IntPtr error);
+        internal static readonly mien_mesh_clean_function mien_mesh_clean = Library.Function<mien_mesh_clean_function>("mien_mesh_clean");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_mesh_transform_function(IntPtr session, IntPtr mesh, IntPtr matrix, IntPtr @out, IntPtr error);
+        internal static readonly mien_mesh_transform_function mien_mesh_transform = Library.Function<mien_mesh_transform_function>("mien_mesh_transform");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_mesh_turn_over_function(IntPtr session, IntPtr mesh, IntPtr @out, IntPtr error);
+        internal static readonly mien_mesh_turn_over_function mien_mesh_turn_over = Library.Function<mien_mesh_turn_over_function>("mien_mesh_turn_over");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_mesh_decimate_function(IntPtr session, IntPtr mesh, ulong vertexCount, IntPtr @out, IntPtr error);
+        internal static readonly mien_mesh_decimate_function mien_mesh_decimate = Library.Function<mien_mesh_decimate_function>("mien_mesh_decimate");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_mesh_check_same_unit_function(IntPtr first, IntPtr second, IntPtr error);
+        internal static readonly mien_mesh_check_same_unit_function mien_mesh_check_same_unit = Library.Function<mien_mesh_check_same_unit_function>("mien_mesh_check_same_unit");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_representation_train_function(IntPtr session, IntPtr datasetPath, int kind, int neutralOnly, IntPtr @out, IntPtr error);
+        internal static readonly mien_representation_train_function mien_representation_train = Library.Function<mien_representation_train_function>("mien_representation_train");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_representation_options_init_function(IntPtr options, UIntPtr structSize);
+        internal static readonly mien_representation_options_init_function mien_representation_options_init = Library.Function<mien_representation_options_init_function>("mien_representation_options_init");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_representation_train_with_options_function(IntPtr session, IntPtr datasetPath, int kind, IntPtr options, IntPtr @out, IntPtr error);
+        internal static readonly mien_representation_train_with_options_function mien_representation_train_with_options = Library.Function<mien_representation_train_with_options_function>("mien_representation_train_with_options");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_representation_load_function(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
+        internal static readonly mien_representation_load_function mien_representation_load = Library.Function<mien_representation_load_function>("mien_representation_load");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_representation_save_function(IntPtr session, IntPtr representation, IntPtr path, IntPtr error);
+        internal static readonly mien_representation_save_function mien_representation_save = Library.Function<mien_representation_save_function>("mien_representation_save");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_representation_get_counts_function(IntPtr representation, IntPtr vertexCount, IntPtr channelCount, IntPtr error);
+        internal static readonly mien_representation_get_counts_function mien_representation_get_counts = Library.Function<mien_representation_get_counts_function>("mien_representation_get_counts");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_representation_encode_function(IntPtr session, IntPtr representation, IntPtr face, IntPtr motion, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_representation_encode_function mien_representation_encode = Library.Function<mien_representation_encode_function>("mien_representation_encode");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_representation_decode_function(IntPtr session, IntPtr representation, IntPtr features, ulong rowCount, IntPtr motion, IntPtr @out, IntPtr error);
+        internal static readonly mien_representation_decode_function mien_representation_decode = Library.Function<mien_representation_decode_function>("mien_representation_decode");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_representation_retain_function(IntPtr representation);
+        internal static readonly mien_representation_retain_function mien_representation_retain = Library.Function<mien_representation_retain_function>("mien_representation_retain");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_representation_release_function(IntPtr representation);
+        internal static readonly mien_representation_release_function mien_representation_release = Library.Function<mien_representation_release_function>("mien_representation_release");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_score_options_init_function(IntPtr options, UIntPtr structSize);
+        internal static readonly mien_score_options_init_function mien_score_options_init = Library.Function<mien_score_options_init_function>("mien_score_options_init");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_score_model_train_function(IntPtr session, IntPtr datasetPath, IntPtr grades, ulong gradeCount, IntPtr options, IntPtr @out, IntPtr error);
+        internal static readonly mien_score_model_train_function mien_score_model_train = Library.Function<mien_score_model_train_function>("mien_score_model_train");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_score_model_load_function(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
+        internal static readonly mien_score_model_load_function mien_score_model_load = Library.Function<mien_score_model_load_function>("mien_score_model_load");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_score_model_save_function(IntPtr session, IntPtr model, IntPtr path, IntPtr error);
+        internal static readonly mien_score_model_save_function mien_score_model_save = Library.Function<mien_score_model_save_function>("mien_score_model_save");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_score_model_predict_function(IntPtr session, IntPtr model, IntPtr face, IntPtr @out, IntPtr error);
+        internal static readonly mien_score_model_predict_function mien_score_model_predict = Library.Function<mien_score_model_predict_function>("mien_score_model_predict");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_score_model_simulate_function(IntPtr session, IntPtr model, IntPtr face, double target, IntPtr @out, IntPtr error);
+        internal static readonly mien_score_model_simulate_function mien_score_model_simulate = Library.Function<mien_score_model_simulate_function>("mien_score_model_simulate");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_score_model_get_latent_function(IntPtr model, int component, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_score_model_get_latent_function mien_score_model_get_latent = Library.Function<mien_score_model_get_latent_function>("mien_score_model_get_latent");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_score_model_get_json_function(IntPtr model, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_score_model_get_json_function mien_score_model_get_json = Library.Function<mien_score_model_get_json_function>("mien_score_model_get_json");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_score_model_retain_function(IntPtr model);
+        internal static readonly mien_score_model_retain_function mien_score_model_retain = Library.Function<mien_score_model_retain_function>("mien_score_model_retain");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_score_model_release_function(IntPtr model);
+        internal static readonly mien_score_model_release_function mien_score_model_release = Library.Function<mien_score_model_release_function>("mien_score_model_release");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_statistics_agreement_function(IntPtr session, IntPtr ratings, ulong subjectCount, uint raterCount, int gradeCount, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_statistics_agreement_function mien_statistics_agreement = Library.Function<mien_statistics_agreement_function>("mien_statistics_agreement");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_statistics_repeatability_function(IntPtr session, IntPtr values, IntPtr subjects, ulong valueCount, IntPtr blanks, ulong blankCount, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_statistics_repeatability_function mien_statistics_repeatability = Library.Function<mien_statistics_repeatability_function>("mien_statistics_repeatability");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_statistics_bland_altman_function(IntPtr session, IntPtr first, IntPtr second, ulong valueCount, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_statistics_bland_altman_function mien_statistics_bland_altman = Library.Function<mien_statistics_bland_altman_function>("mien_statistics_bland_altman");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_series_options_init_function(IntPtr options, UIntPtr structSize);
+        internal static readonly mien_series_options_init_function mien_series_options_init = Library.Function<mien_series_options_init_function>("mien_series_options_init");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_neutralize_series_function(IntPtr session, IntPtr model, IntPtr faces, uint faceCount, IntPtr options, IntPtr @out, IntPtr error);
+        internal static readonly mien_neutralize_series_function mien_neutralize_series = Library.Function<mien_neutralize_series_function>("mien_neutralize_series");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_series_get_mesh_function(IntPtr series, int index, IntPtr @out, IntPtr error);
+        internal static readonly mien_series_get_mesh_function mien_series_get_mesh = Library.Function<mien_series_get_mesh_function>("mien_series_get_mesh");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_series_get_json_function(IntPtr series, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_series_get_json_function mien_series_get_json = Library.Function<mien_series_get_json_function>("mien_series_get_json");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_series_release_function(IntPtr series);
+        internal static readonly mien_series_release_function mien_series_release = Library.Function<mien_series_release_function>("mien_series_release");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_template_check_function(IntPtr session, IntPtr templateMesh, IntPtr landmarks, int mirror, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_template_check_function mien_template_check = Library.Function<mien_template_check_function>("mien_template_check");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_train_options_init_function(IntPtr options, UIntPtr structSize);
+        internal static readonly mien_train_options_init_function mien_train_options_init = Library.Function<mien_train_options_init_function>("mien_train_options_init");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_expression_model_train_function(IntPtr session, IntPtr datasetPath, IntPtr options, IntPtr @out, IntPtr error);
+        internal static readonly mien_expression_model_train_function mien_expression_model_train = Library.Function<mien_expression_model_train_function>("mien_expression_model_train");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_shard_options_init_function(IntPtr options, UIntPtr structSize);
+        internal static readonly mien_shard_options_init_function mien_shard_options_init = Library.Function<mien_shard_options_init_function>("mien_shard_options_init");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_expression_shard_create_function(IntPtr session, IntPtr datasetPath, IntPtr options, IntPtr shardPath, IntPtr error);
+        internal static readonly mien_expression_shard_create_function mien_expression_shard_create = Library.Function<mien_expression_shard_create_function>("mien_expression_shard_create");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_expression_model_merge_function(IntPtr session, IntPtr shardPaths, uint shardCount, IntPtr options, IntPtr @out, IntPtr error);
+        internal static readonly mien_expression_model_merge_function mien_expression_model_merge = Library.Function<mien_expression_model_merge_function>("mien_expression_model_merge");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_visits_options_init_function(IntPtr options, UIntPtr structSize);
+        internal static readonly mien_visits_options_init_function mien_visits_options_init = Library.Function<mien_visits_options_init_function>("mien_visits_options_init");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_neutralize_visits_function(IntPtr session, IntPtr model, IntPtr faces, uint faceCount, IntPtr options, IntPtr @out, IntPtr error);
+        internal static readonly mien_neutralize_visits_function mien_neutralize_visits = Library.Function<mien_neutralize_visits_function>("mien_neutralize_visits");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_visits_get_mesh_function(IntPtr visits, int index, IntPtr @out, IntPtr error);
+        internal static readonly mien_visits_get_mesh_function mien_visits_get_mesh = Library.Function<mien_visits_get_mesh_function>("mien_visits_get_mesh");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_visits_get_expression_function(IntPtr visits, int index, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_visits_get_expression_function mien_visits_get_expression = Library.Function<mien_visits_get_expression_function>("mien_visits_get_expression");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_visits_get_removed_volume_function(IntPtr visits, int first, int second, IntPtr zone, IntPtr removedMl, IntPtr sdMl, IntPtr error);
+        internal static readonly mien_visits_get_removed_volume_function mien_visits_get_removed_volume = Library.Function<mien_visits_get_removed_volume_function>("mien_visits_get_removed_volume");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_visits_release_function(IntPtr visits);
+        internal static readonly mien_visits_release_function mien_visits_release = Library.Function<mien_visits_release_function>("mien_visits_release");
 #endif
     }
 }

@@ -34,20 +34,23 @@ typedef struct mien_array_view {
 /** A named set of vertices of a surface, read in place and only during the call. */
 typedef struct mien_zone {
     const char* name;         /**< UTF-8, not null */
-    const uint32_t* vertices; /**< vertex_count vertex numbers; repeated ones count once */
+    const uint32_t* vertices; /**< vertex_count vertex numbers, not null; repeated ones count
+                                 once */
     uint64_t vertex_count;    /**< never more than the surface has vertices */
 } mien_zone;
 
 /** A texture image of the host's, read in place and only during the call: either pixels or the
  * bytes of a file. */
 typedef struct mien_image {
-    const char* name;      /**< UTF-8 file name without a folder; may be null */
-    const uint8_t* pixels; /**< height rows of width x 3 red green blue, from the top; or null */
+    const char* name;          /**< UTF-8 file name without a folder; may be null */
+    const uint8_t* pixels;     /**< [count=height*width*3] height rows of width x 3 red green blue,
+                                  from the top; may be null */
     uint64_t row_stride_bytes; /**< from row to row; 0: tightly packed */
     uint32_t width;            /**< of pixels, else 0 */
     uint32_t height;           /**< of pixels, else 0 */
-    const uint8_t* file;       /**< the bytes of a JPEG or PNG file; null when pixels are given */
-    uint64_t file_size;        /**< bytes */
+    const uint8_t* file; /**< [count=file_size] the bytes of a JPEG or PNG file; may be null: when
+                        pixels are given */
+    uint64_t file_size;  /**< bytes */
 } mien_image;
 
 /** A material of a mesh, read in place and only during the call. */
@@ -68,14 +71,17 @@ typedef struct mien_mesh_arrays {
     const uint32_t*
         triangles; /**< #F x 3 tightly packed, counter-clockwise seen from outside; may be null */
     uint64_t triangle_count; /**< #F; 0: a point cloud */
-    const uint8_t* colors;   /**< #V x 3 red green blue, tightly packed; may be null */
+    const uint8_t* colors;   /**< [count=positions.count*3] #V x 3 red green blue, tightly packed;
+                                may be null */
     const float* texture;    /**< #T x 2, (0, 0) at the image's lower left corner; may be null */
     uint64_t texture_count;  /**< #T */
-    const uint32_t* texture_triangles;  /**< #F x 3 numbers of texture; null with texture: texture
-                                           has a row for each vertex */
+    const uint32_t*
+        texture_triangles; /**< [count=triangle_count*3] #F x 3 numbers of texture; may be null:
+                              with texture, texture has a row for each vertex */
     const mien_material* materials;     /**< may be null */
     uint64_t material_count;            /**< at most 65536 */
-    const uint32_t* triangle_materials; /**< #F numbers of materials; null: all are of the first */
+    const uint32_t* triangle_materials; /**< [count=triangle_count] #F numbers of materials; null:
+                                           all are of the first */
     const mien_image* images;           /**< may be null */
     uint64_t image_count;               /**< at most 65536 */
 } mien_mesh_arrays;
@@ -548,7 +554,7 @@ MIEN_API mien_status MIEN_CALL mien_mesh_load_target(mien_session* session, cons
  * The positions in place: *data points to #V x 3 float64, tightly packed, mm.
  *
  * @param mesh  [in] not null.
- * @param data  [out] not null.
+ * @param data  [out,count=count*3] not null.
  * @param count [out] may be null; #V.
  * @param error [out] may be null.
  * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT

@@ -6,6 +6,7 @@
 #include "detail/core.hpp"
 #include "detail/expression.hpp"
 #include "detail/landmarks.hpp"
+#include "detail/lifetime.hpp"
 #include "detail/measure.hpp"
 #include "detail/mesh_tools.hpp"
 #include "detail/model.hpp"

@@ -329,7 +329,7 @@ typedef struct mien_tuning mien_tuning;
 typedef struct mien_tune_options {
     uint32_t struct_size;
     int32_t kernel;                 /**< MIEN_KERNEL_..., not NONE; default GEODESIC_SE */
-    const double* sigmas_mm;        /**< sigma_count length scales to try, each > 0 */
+    const double* sigmas_mm;        /**< not null; sigma_count length scales to try, each > 0 */
     uint64_t sigma_count;           /**< 1 to 10000 */
     double scale_mm;                /**< > 0, default 1 */
     double nu;                      /**< default 2 */

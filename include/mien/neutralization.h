@@ -127,11 +127,32 @@ MIEN_API const mien_mesh* MIEN_CALL
 mien_neutralization_mesh(const mien_neutralization* neutralization);
 
 /**
- * Coordinates of the face in the model, mm along the unit modes.
+ * Numbers of vertices of the neutral face and of coordinates of
+ * mien_neutralization_get_coordinates().
+ *
+ * @param neutralization   [in] not null.
+ * @param vertex_count     [out] may be null; #V.
+ * @param identity_modes   [out] may be null; those of the model.
+ * @param expression_modes [out] may be null; those of the model.
+ * @param error            [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE
+ * @owner  nothing
+ * @thread thread-safe
+ * @cancel no
+ * @cost   O(1)
+ * @since  0.2
+ */
+MIEN_API mien_status MIEN_CALL mien_neutralization_get_counts(
+    const mien_neutralization* neutralization, uint64_t* vertex_count, uint32_t* identity_modes,
+    uint32_t* expression_modes, mien_error* error);
+
+/**
+ * Coordinates of the face in the model, mm along the unit modes. mien_neutralization_get_counts()
+ * says how many.
  *
  * @param neutralization [in] not null.
- * @param identity       [out] room for identity_modes doubles of the model, or null.
- * @param expression     [out] room for expression_modes doubles of the model, or null.
+ * @param identity       [out] room for identity_modes values, or null.
+ * @param expression     [out] room for expression_modes values, or null.
  * @param error          [out] may be null.
  * @errors MIEN_E_INVALID_HANDLE
  * @owner  nothing

@@ -160,7 +160,7 @@ mien_representation_get_counts(const mien_representation* representation, uint64
  * @param face           [in] not null; #V vertices, mm, anywhere.
  * @param motion         [out] may be null; 12 float64: the rigid motion onto the mean, x -> R x +
  * t, as R row by row, then t in mm. mien_representation_decode() takes it back.
- * @param dst            [out] room for capacity rows of c, or null.
+ * @param dst            [out] room for capacity rows of channel_count values, or null.
  * @param capacity       [in] rows that dst holds.
  * @param count          [out] may be null; #V.
  * @param error          [out] may be null.
@@ -184,9 +184,9 @@ MIEN_API mien_status MIEN_CALL mien_representation_encode(mien_session* session,
  *
  * @param session        [in] not null.
  * @param representation [in] not null.
- * @param features       [in] not null; row_count x c row-major float64.
+ * @param features       [in] not null; row_count x channel_count row-major float64.
  * @param row_count      [in] #V.
- * @param motion         [in] may be null: the mean's frame; else 12 float64 of
+ * @param motion         [in] may be null: the mean's frame; 12 float64 of
  * mien_representation_encode(), which is undone.
  * @param out            [out] not null; the face, mm, or null on failure.
  * @param error          [out] may be null.

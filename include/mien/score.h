@@ -71,7 +71,7 @@ MIEN_API void MIEN_CALL mien_score_options_init(mien_score_options* options, siz
  *
  * @param session      [in] not null.
  * @param dataset_path [in] UTF-8, not null; a dataset file, faces of one subject share a fold.
- * @param grades       [in] not null; one per face, NaN: not graded.
+ * @param grades       [in] not null; grade_count values, one per face, NaN: not graded.
  * @param grade_count  [in] faces of the dataset.
  * @param options      [in] may be null: defaults.
  * @param out          [out] not null; null on failure.
@@ -278,7 +278,7 @@ MIEN_API mien_status MIEN_CALL mien_statistics_agreement(
  *
  * @param session     [in] not null.
  * @param values      [in] value_count values; may be null when value_count is 0.
- * @param subjects    [in] value_count numbers: who was measured.
+ * @param subjects    [in] not null; value_count numbers: who was measured.
  * @param value_count [in] 0: no repeatability; otherwise some subject has two.
  * @param blanks      [in] blank_count changes measured without any true one; may be null when 0.
  * @param blank_count [in] 0: no limit of detection; otherwise 2 or more.

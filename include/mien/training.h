@@ -44,9 +44,9 @@ typedef struct mien_shard_options {
                          and faces are exact */
     mien_progress_fn progress; /**< may be null */
     void* progress_user;
-    mien_cancel* cancel; /**< may be null */
-    const uint32_t*
-        stable_vertices; /**< as in mien_train_options; all parts of a dataset are aligned alike */
+    mien_cancel* cancel;             /**< may be null */
+    const uint32_t* stable_vertices; /**< as in mien_train_options; all parts of a dataset are
+                                        aligned alike; null: faces as they lie */
     uint64_t stable_count;
 } mien_shard_options;
 

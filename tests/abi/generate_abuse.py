@@ -16,37 +16,24 @@ REAL = {"double", "float"}
 WHOLE = {"int32_t", "uint32_t", "int64_t", "uint64_t", "size_t", "uint8_t", "mien_status", "mien_dtype"}
 
 
-def kind_of(parameter, function, interface):
-    """The abuse that a parameter's type calls for (enum Kind in abuse.hpp)."""
-    structs = {s.name for s in interface.structs}
-    kind = parameter.type
-    base = re.sub(r"\bconst\b|[\s*]", "", kind)
-    stars = kind.count("*")
-    if parameter.name == "error" and base == "mien_error":
-        return "error"
-    if base in interface.handles:
-        return {1: "handle", 2: "handle_out" if not kind.startswith("const") else "handle_list"}[stars]
-    if base in interface.callbacks:
-        return "callback"
-    if base in structs:
-        return "struct_in" if kind.startswith("const") else "struct_out"
-    if base == "char" and kind.startswith("const"):
-        return {1: "text", 2: "text_list"}[stars]
-    if stars == 2:
-        return "view_out"
-    if stars == 1 and kind.startswith("const"):
-        return "array_in"
-    if stars == 1:
-        if parameter.name.endswith("user"):
-            return "user"
-        # Several arrays may share one capacity; what counts them stands alone.
-        shares = any(p.name == "capacity" for p in function.parameters) and not parameter.name.endswith("count")
-        return "array_out" if shares else "value_out"
-    if base in REAL:
+KINDS = {"error": "error", "handle": "handle", "handle_out": "handle_out", "handles": "handle_list", "callback": "callback",
+         "struct": "struct_in", "structs": "struct_in", "matrix": "struct_in", "struct_out": "struct_out",
+         "structs_out": "struct_out", "text": "text", "texts": "text_list", "view_out": "view_out", "array": "array_in",
+         "bytes": "array_in", "user": "user", "scalar_out": "value_out", "count_out": "value_out"}
+
+
+def kind_of(parameter, interface):
+    """The abuse that a parameter's role calls for (enum Kind in abuse.hpp)."""
+    if parameter.role in KINDS:
+        return KINDS[parameter.role]
+    if parameter.role in ("array_out", "text_out"):  # of a fixed length it is written whole
+        return "array_out" if parameter.count[0] == "capacity" else "value_out"
+    kind = interface.aliases.get(parameter.base, parameter.base)
+    if kind in REAL:
         return "real"
-    if base in WHOLE:
+    if kind in WHOLE:
         return "whole"
-    raise SystemExit(f"generate_abuse.py: no abuse is known for the type '{kind}'")
+    raise SystemExit(f"generate_abuse.py: no abuse is known for the role '{parameter.role}' of the type '{parameter.type}'")
 
 
 def argument(index, parameter, kind):
@@ -61,7 +48,7 @@ def argument(index, parameter, kind):
 
 def field_kind(field, interface):
     base = re.sub(r"\bconst\b|[\s*]|\[.*", "", field.type)
-    if field.type == "function" or base in interface.callbacks:
+    if base in {c.name for c in interface.callbacks}:
         return "callback"
     if "*" in field.type:
         return "pointer"
@@ -88,7 +75,7 @@ def main():
         lines.append(f'    {{"{struct.name}", sizeof({struct.name}), alignof({struct.name}), {sized}, {init}, {{{fields}}}}},')
     lines += ["};", "", "const FunctionRow kFunctions[] = {"]
     for f in interface.functions:
-        kinds = [kind_of(p, f, interface) for p in f.parameters]
+        kinds = [kind_of(p, interface) for p in f.parameters]
         call = f"{f.name}({', '.join(argument(i, p, k) for i, (p, k) in enumerate(zip(f.parameters, kinds)))})"
         if f.result == "mien_status":
             body, result = f"return {call};", "status"

@@ -40,7 +40,7 @@ if(Python3_FOUND)
     file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/abuse)
     add_custom_command(OUTPUT ${tables}
         COMMAND ${python} ${CMAKE_CURRENT_SOURCE_DIR}/generate_abuse.py ${public} ${tables}
-        DEPENDS generate_abuse.py ${PROJECT_SOURCE_DIR}/abi/read_headers.py ${public_headers})
+        DEPENDS generate_abuse.py ${PROJECT_SOURCE_DIR}/abi/read_headers.py ${PROJECT_SOURCE_DIR}/abi/documentation.py ${public_headers})
     add_executable(test_abi_abuse abuse/main.cpp abuse/abuse.cpp abuse/struct_abuse.cpp abuse/fixtures.cpp
         abuse/good_values.cpp ${tables})
     target_include_directories(test_abi_abuse PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/abuse)

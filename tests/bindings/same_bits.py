@@ -3,7 +3,8 @@
 
   same_bits.py PROJECT_DIR BUILD_DIR WORK_DIR LIBRARY
 
-Makes a small study and two models with the project's own commands, then runs C, C++, Python, C#, Java
+Makes a small study and two models with the project's own commands, then runs C, C++, Python, C#, Java (these
+rebuild the scan from arrays with its colours, and must also say the same of verdict, zones, visits and cancelling)
 through JNI, Java through the Foreign Function API (where a JDK of 22 or later is found) and the command,
 which goes through files. Hosts whose tools are missing are skipped by name.
 """
@@ -19,7 +20,7 @@ from pathlib import Path
 project, build, work, library = (Path(a).resolve() for a in sys.argv[1:5])
 work.mkdir(parents=True, exist_ok=True)
 environment = dict(os.environ, MIEN_LIBRARY=str(library), PYTHONPATH=str(project / "examples/python"),
-                   PYTHONDONTWRITEBYTECODE="1", LD_LIBRARY_PATH=str(library.parent))
+                   PYTHONDONTWRITEBYTECODE="1")
 failed, skipped = [], []
 
 
@@ -66,18 +67,8 @@ def foreign_java():
     return None
 
 
-def check_foreign_layout(source):
-    """The Java program names three fields of the options: their places must be those of the C struct."""
-    facts = dict(line.rsplit(" ", 1) for line in (project / "abi/layout/x86_64.txt").read_text().splitlines())
-    padding = int(re.search(r"paddingLayout\((\d+)\)", source.read_text()).group(1))
-    places = {"progress": 4 + padding, "progress_user": 12 + padding, "cancel": 20 + padding}
-    for field, place in places.items():
-        if int(facts[f"field mien_register_options.{field} offset"]) != place:
-            failed.append(f"{source.name}: mien_register_options.{field} is not at {place}")
-
-
-def host(name, neutral, command, saved):
-    """Runs one host, and compares what it saved with what it says."""
+def host(name, neutral, command, saved, said_by=None):
+    """Runs one host, and compares what it saved with what it says; said_by collects everything that it says."""
     try:
         text = run(*command)
     except RuntimeError as failure:
@@ -87,6 +78,24 @@ def host(name, neutral, command, saved):
     said = re.search(r"neutral ([0-9a-f]{64})", text)
     if said and said.group(1) != neutral[name]:
         failed.append(f"{name}: prints another hash than that of the file it wrote")
+    if said_by is not None:
+        said_by[name] = text.replace("\r", "")
+
+
+def build_java():
+    """(class path, JNI library, class path with the foreign part or None)."""
+    home = Path(shutil.which("javac")).resolve().parent.parent
+    classes, jni, java = work / "classes", work / "libmien_jni.so", project / "examples/java"
+    run("cc", "-std=c99", "-O1", "-Wall", "-Wextra", "-Werror", "-pedantic", "-shared", "-fPIC", f"-I{home}/include",
+        f"-I{home}/include/linux", f"-I{project}/include", java / "mien_jni.c", "-o", jni, f"-L{library.parent}", "-lmien")
+    run("javac", "-Xlint:all", "-Werror", "-d", classes, *sorted(java.glob("*.java")), *sorted((java / "mien").glob("*.java")),
+        project / "tests/bindings/Walk.java")
+    newer = foreign_java()
+    if not newer:
+        return classes, jni, None
+    run(Path(newer).resolve().parent / "javac", "-Xlint:all,-restricted", "-Werror", "-cp", classes, "-d", work / "foreign",
+        *sorted((java / "foreign/mien").glob("*.java")))
+    return classes, jni, f"{classes}:{work / 'foreign'}"
 
 
 def table_of(text):
@@ -138,46 +147,44 @@ def main():
     host("C++", neutral, [build / "bin/mien-main-job", *models, work / "cpp_fitted.ply", work / "cpp.ply", work / "cpp_file.ply"],
          work / "cpp.ply")
 
+    said, others = {}, [demo / "scan/truth_neutral.ply", demo / "scan/truth_mouth_stretch.ply"]
+    walk = [face, expressions, scan, demo / "train.safetensors", work]
     python = python_with_numpy()
     if python:
-        host("Python", neutral, [python, project / "examples/python/main_job.py", *models, work / "py_fitted.ply", work / "py.ply"],
-             work / "py.ply")
+        host("Python", neutral, [python, project / "examples/python/main_job.py", *models, work / "py.ply", *others], work / "py.ply", said)
+        print("Python:", run(python, project / "tests/bindings/walk.py", *walk).strip().splitlines()[-1])
     else:
         skipped.append("Python: no numpy (Debian package python3-numpy)")
 
     if shutil.which("mcs") and shutil.which("mono"):
-        program = work / "main_job.exe"
-        run("mcs", "-langversion:7", "-unsafe", "-warnaserror", f"-out:{program}", *sorted((project / "examples/csharp").glob("*.cs")))
-        print("C#:", run("mono", program, "--self-test", project / "abi/layout/x86_64.txt").strip())
-        host("C#", neutral, ["mono", program, *models, work / "cs_fitted.ply", work / "cs.ply"], work / "cs.ply")
+        sources = [project / "examples/csharp" / name for name in ("Native.cs", "Classes.cs", "Runtime.cs")]
+        flags = ["-langversion:7.2", "-unsafe", "-warnaserror"]
+        run("mcs", *flags, f"-out:{work / 'main_job.exe'}", *sources, project / "examples/csharp/Program.cs")
+        run("mcs", *flags, f"-out:{work / 'walk.exe'}", *sources, project / "tests/bindings/Walk.cs")
+        host("C#", neutral, ["mono", work / "main_job.exe", *models, work / "cs.ply", *others], work / "cs.ply", said)
+        print("C#:", run("mono", work / "walk.exe", *walk, project / "abi/layout/x86_64.txt").strip().splitlines()[-1])
     else:
         skipped.append("C#: no mono (Debian packages mono-mcs, mono-runtime, libmono-system-core4.0-cil)")
 
     if shutil.which("javac") and shutil.which("java"):
-        home = Path(shutil.which("javac")).resolve().parent.parent
-        classes, jni = work / "classes", work / "libmien_jni.so"
-        run("cc", "-std=c99", "-O1", "-Wall", "-Wextra", "-Werror", "-pedantic", "-shared", "-fPIC", f"-I{home}/include",
-            f"-I{home}/include/linux", f"-I{project}/include", project / "examples/java/mien_jni.c", "-o", jni,
-            f"-L{library.parent}", "-lmien")
-        sources = [*sorted((project / "examples/java").glob("*.java")), *sorted((project / "examples/java/mien").glob("*.java"))]
-        run("javac", "-Xlint:all", "-Werror", "-d", classes, *sources)
-        java = ["java", "-Xcheck:jni", f"-Dmien.jni={jni}", "-cp", classes, "MainJob"]
-        said = run(*java, "--self-test")
-        print("Java:", said.strip().splitlines()[-1])
-        if "WARNING" in said or "FATAL" in said:
-            failed.append("Java: -Xcheck:jni complains:\n" + said)
-        host("Java", neutral, [*java, *models, work / "java_fitted.ply", work / "java.ply"], work / "java.ply")
+        classes, jni, newer = build_java()
+        java = ["java", "-Xcheck:jni", f"-Dmien.library={library}", f"-Dmien.jni={jni}", "-cp", classes]
+        host("Java", neutral, [*java, "MainJob", *models, work / "java.ply", *others], work / "java.ply", said)
+        text = run(*java, "Walk", *walk)
+        print("Java:", text.strip().splitlines()[-1])
+        if "WARNING" in text or "FATAL" in text:
+            failed.append("Java: -Xcheck:jni complains:\n" + text)
+        if newer:
+            foreign = [foreign_java(), "--enable-native-access=ALL-UNNAMED", "-Dmien.binding=foreign", f"-Dmien.library={library}", "-cp", newer]
+            host("Java, no C", neutral, [*foreign, "MainJob", *models, work / "foreign.ply", *others], work / "foreign.ply", said)
+            print("Java, no C:", run(*foreign, "Walk", *walk).strip().splitlines()[-1])
+        else:
+            skipped.append("Java by the Foreign Function API: no JDK of 22 or later (set MIEN_JAVA22 to its java)")
     else:
         skipped.append("Java: no JDK (Debian package openjdk-17-jdk-headless)")
-
-    java = foreign_java()
-    source = project / "examples/java/foreign/MainJobForeign.java"
-    check_foreign_layout(source)
-    if java:
-        host("Java, no C", neutral, [java, "--enable-native-access=ALL-UNNAMED", f"-Dmien.library={library}", source, *models,
-                                     work / "foreign_fitted.ply", work / "foreign.ply"], work / "foreign.ply")
-    else:
-        skipped.append("Java by the Foreign Function API: no JDK of 22 or later (set MIEN_JAVA22 to its java)")
+    for name, text in said.items():
+        if text != next(iter(said.values())):
+            failed.append(f"{name} says something else than {next(iter(said))}:\n{text}\n{next(iter(said.values()))}")
 
     # The command keeps the fitted face and its weights in files between its two steps.
     run(mien, "register", "--model", face, "--scan", scan, "--out", work / "cli_fitted.ply", "--json", work / "cli_fit.json")

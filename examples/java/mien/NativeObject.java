@@ -1,25 +1,29 @@
 package mien;
 
 import java.lang.ref.Cleaner;
+import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.LongConsumer;
 
 /**
  * Owns one reference to a native object. close() may be called any number of times, from any thread, also
  * while another thread is inside a call with the object: the release then waits for that call. What is never
  * closed is released after garbage collection.
  */
-abstract class NativeObject implements AutoCloseable {
-    private static final Cleaner CLEANER = Cleaner.create();
+public abstract class NativeObject implements AutoCloseable {
+    static final Cleaner CLEANER = Cleaner.create();
 
     /** Holds the handle and never the wrapper, which could otherwise never be collected. */
-    private static final class State implements Runnable {
+    static final class State implements Runnable {
+        private final LongConsumer release;
+        final ReentrantLock serial = new ReentrantLock();  // for objects that one call at a time may use
         private long handle;
-        private final int kind;
         private int users;
         private boolean closed;
+        private Object kept;  // a log's receiver
 
-        State(int kind, long handle) {
-            this.kind = kind;
+        State(long handle, LongConsumer release) {
             this.handle = handle;
+            this.release = release;
         }
 
         synchronized long acquire() {
@@ -28,7 +32,7 @@ abstract class NativeObject implements AutoCloseable {
             return handle;
         }
 
-        synchronized void yieldUse() {
+        synchronized void done() {
             --users;
             releaseIfUnused();
         }
@@ -41,28 +45,33 @@ abstract class NativeObject implements AutoCloseable {
 
         private void releaseIfUnused() {
             if (!closed || users > 0 || handle == 0) return;
-            Native.release(kind, handle);
+            release.accept(handle);
             handle = 0;
+            if (kept instanceof Long) Callbacks.forget((Long) kept);
         }
     }
 
-    private final State state;
+    final State state;
     private final Cleaner.Cleanable cleanable;
 
-    NativeObject(int kind, long handle) {
-        state = new State(kind, handle);
+    NativeObject(long owned, LongConsumer release) {
+        if (owned == 0) throw new IllegalStateException("the object is closed");
+        state = new State(owned, release);
         cleanable = CLEANER.register(this, state);
     }
 
-    /** The handle for one call; each acquire() needs a done() in a finally block. */
-    final long acquire() {
-        return state.acquire();
+    /** Takes over what another object of the same class was made for. */
+    NativeObject(NativeObject made) {
+        state = new State(made.state.acquire(), made.state.release);
+        synchronized (made.state) {
+            state.kept = made.state.kept;
+            made.state.kept = null;
+            made.state.handle = 0;
+        }
+        cleanable = CLEANER.register(this, state);
     }
 
-    final void done() {
-        state.yieldUse();
-        java.lang.ref.Reference.reachabilityFence(this);
-    }
+    final void keep(Object kept) { state.kept = kept; }
 
     @Override
     public final void close() {

@@ -1,134 +1,11 @@
-"""Structs, constants and signatures of the C headers. Written by abi/generate_bindings.py."""
+"""Structs, signatures and parameters of the C interface. Written by abi/generate_bindings.py."""
 import ctypes
 
 ProgressFn = ctypes.CFUNCTYPE(ctypes.c_int32, ctypes.c_void_p, ctypes.c_int32, ctypes.c_double)
 LogFn = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_int32, ctypes.c_char_p)
 
-MIEN_OK = 0
-MIEN_E_INVALID_ARGUMENT = -1
-MIEN_E_INVALID_HANDLE = -2
-MIEN_E_INVALID_MESH = -3
-MIEN_E_BUFFER_TOO_SMALL = -4
-MIEN_E_UNSUPPORTED_OPTION = -5
-MIEN_E_UNSUPPORTED_VERSION = -6
-MIEN_E_NO_MEMORY = -7
-MIEN_E_MEMORY_BUDGET = -8
-MIEN_E_IO = -9
-MIEN_E_BAD_FORMAT = -10
-MIEN_E_CORRUPT = -11
-MIEN_E_WRONG_KIND = -12
-MIEN_E_MISMATCH = -13
-MIEN_E_NO_SOLUTION = -14
-MIEN_E_NOT_FOUND = -15
-MIEN_E_CANCELLED = -16
-MIEN_E_CALLBACK = -17
-MIEN_E_INTERNAL = -18
-MIEN_STAGE_READING = 1
-MIEN_STAGE_GEODESICS = 2
-MIEN_STAGE_BASIS = 3
-MIEN_STAGE_ALIGNMENT = 4
-MIEN_STAGE_FITTING = 5
-MIEN_STAGE_REFINING = 6
-MIEN_STAGE_TRAINING = 7
-MIEN_STAGE_NEUTRALIZING = 8
-MIEN_STAGE_MEASURING = 9
-MIEN_STAGE_WRITING = 10
-MIEN_LOG_ERROR = 1
-MIEN_LOG_WARNING = 2
-MIEN_LOG_INFO = 3
-MIEN_LOG_DEBUG = 4
-MIEN_DTYPE_F32 = 1
-MIEN_DTYPE_F64 = 2
-MIEN_DTYPE_I32 = 3
-MIEN_DTYPE_U32 = 4
-MIEN_DTYPE_U8 = 5
-MIEN_MASS_MIXED_VORONOI = 0
-MIEN_MASS_BARYCENTRIC = 1
-MIEN_MASS_NONE = 2
-MIEN_COTANGENTS_INTRINSIC_DELAUNAY = 0
-MIEN_COTANGENTS_CLAMP = 1
-MIEN_COTANGENTS_KEEP = 2
-MIEN_METRIC_L1 = 1
-MIEN_METRIC_L2 = 2
-MIEN_METRIC_HAUSDORFF = 3
-MIEN_METRIC_DAME = 4
-MIEN_METRIC_FMPD = 5
-MIEN_KERNEL_NONE = 0
-MIEN_KERNEL_EUCLIDEAN_SE = 1
-MIEN_KERNEL_GEODESIC_SE = 2
-MIEN_KERNEL_BSPLINE = 3
-MIEN_KERNEL_SURFACE_MATERN = 4
-MIEN_HEAT_NEUMANN = 1
-MIEN_HEAT_DIRICHLET = 2
-MIEN_HEAT_AVERAGE = 3
-MIEN_MARK_NOT_PICKED = 0
-MIEN_MARK_PLACE = 1
-MIEN_MARK_VERTEX = 2
-MIEN_GROWTH_CONSTANT = 0
-MIEN_GROWTH_LINEAR = 1
-MIEN_GROWTH_EXPONENTIAL = 2
-MIEN_GROWTH_CUBIC = 3
-MIEN_START_AUTOMATIC = 0
-MIEN_START_LANDMARKS = 1
-MIEN_START_POSE = 2
-MIEN_START_SEARCH = 3
-MIEN_UNITS_DETECT = 0
-MIEN_UNITS_MILLIMETRES = 1
-MIEN_UNITS_REFUSE = 2
-MIEN_SIDES_REFUSE = 0
-MIEN_SIDES_MEND = 1
-MIEN_SIDES_IGNORE = 2
-MIEN_QUALITY_GOOD = 0
-MIEN_QUALITY_DOUBTFUL = 1
-MIEN_QUALITY_FAILED = 2
-MIEN_REGISTRATION_RESIDUAL_MM = 1
-MIEN_REGISTRATION_WEIGHT = 2
-MIEN_REGISTRATION_STANDARD_DEVIATION_MM = 3
-MIEN_REGISTRATION_RADIUS95_MM = 4
-MIEN_REGISTRATION_NORMAL_DEVIATION_MM = 5
-MIEN_TRANSFER_LANDMARKS = 1
-MIEN_TRANSFER_ZONES = 2
-MIEN_FIT_MIXTURE = 0
-MIEN_FIT_MAP = 1
-MIEN_FIT_EXACT = 2
-MIEN_FIT_ALTERNATING = 3
-MIEN_POSE_AUTO = 0
-MIEN_POSE_KEEP = 1
-MIEN_POSE_RIGID = 2
-MIEN_MAP_DOWN = 1
-MIEN_MAP_UP = 2
-MIEN_ZONE_WHOLE = -1
-MIEN_ZONE_REST = -2
-MIEN_FIELD_SIGNED_DISTANCE_MM = 1
-MIEN_FIELD_DISTANCE_MM = 2
-MIEN_FIELD_POSITIVE_VOLUME_MM3 = 3
-MIEN_FIELD_NEGATIVE_VOLUME_MM3 = 4
-MIEN_FIELD_CURVATURE_MAXIMAL = 5
-MIEN_FIELD_CURVATURE_MINIMAL = 6
-MIEN_FIELD_CURVATURE_MEAN = 7
-MIEN_FIELD_CURVATURE_GAUSSIAN = 8
-MIEN_CARRY_CLOSEST_POINT = 1
-MIEN_CARRY_DIRECTION = 2
-MIEN_CARRY_VERTEX_NORMAL = 3
-MIEN_FEATURES_EUCLIDEAN = 1
-MIEN_FEATURES_EUCLIDEAN_STANDARDISED = 2
-MIEN_FEATURES_EUCLIDEAN_NORMALISED = 3
-MIEN_FEATURES_DEFORMATION = 4
-MIEN_FEATURES_DEFORMATION_NORMALISED = 5
-MIEN_FEATURES_DEFORMATION_STANDARDISED = 6
-MIEN_PLS_NIPALS = 0
-MIEN_PLS_SIMPLS = 1
-MIEN_STUDY_KNOWN = 0
-MIEN_STUDY_UNSEEN = 1
-MIEN_STUDY_FAILED_FIT = 2
-MIEN_STUDY_NO_SURFACE_ERRORS = 3
-MIEN_STUDY_OUTSIDE_EXPRESSIONS = 4
-MIEN_STUDY_FIELD_NORMAL_SD_MM = 1
-MIEN_STUDY_FIELD_WEIGHT = 2
-MIEN_STUDY_FIELD_EXPRESSION_SD_MM = 3
-MIEN_TRAIN_JPCA = 0
-MIEN_TRAIN_QOJPCA = 1
-MIEN_ABI_VERSION = 0
+ABI_VERSION = 0
+VERSION = "0.1.0"
 
 
 class Error(ctypes.Structure):
@@ -162,7 +39,7 @@ class ArrayView(ctypes.Structure):
 
 class Zone(ctypes.Structure):
     _fields_ = [
-        ("name", ctypes.c_char_p),
+        ("name", ctypes.c_void_p),
         ("vertices", ctypes.c_void_p),
         ("vertex_count", ctypes.c_uint64),
     ]
@@ -170,7 +47,7 @@ class Zone(ctypes.Structure):
 
 class Image(ctypes.Structure):
     _fields_ = [
-        ("name", ctypes.c_char_p),
+        ("name", ctypes.c_void_p),
         ("pixels", ctypes.c_void_p),
         ("row_stride_bytes", ctypes.c_uint64),
         ("width", ctypes.c_uint32),
@@ -182,7 +59,7 @@ class Image(ctypes.Structure):
 
 class Material(ctypes.Structure):
     _fields_ = [
-        ("name", ctypes.c_char_p),
+        ("name", ctypes.c_void_p),
         ("image", ctypes.c_int32),
         ("reserved", ctypes.c_int32),
         ("red", ctypes.c_double),
@@ -202,10 +79,10 @@ class MeshArrays(ctypes.Structure):
         ("texture", ctypes.c_void_p),
         ("texture_count", ctypes.c_uint64),
         ("texture_triangles", ctypes.c_void_p),
-        ("materials", ctypes.POINTER(Material)),
+        ("materials", ctypes.c_void_p),
         ("material_count", ctypes.c_uint64),
         ("triangle_materials", ctypes.c_void_p),
-        ("images", ctypes.POINTER(Image)),
+        ("images", ctypes.c_void_p),
         ("image_count", ctypes.c_uint64),
     ]
 
@@ -256,7 +133,7 @@ class Kernel(ctypes.Structure):
 
 class Landmark(ctypes.Structure):
     _fields_ = [
-        ("name", ctypes.c_char_p),
+        ("name", ctypes.c_void_p),
         ("vertex", ctypes.c_uint32),
         ("reserved", ctypes.c_uint32),
     ]
@@ -264,7 +141,7 @@ class Landmark(ctypes.Structure):
 
 class LandmarkObservation(ctypes.Structure):
     _fields_ = [
-        ("name", ctypes.c_char_p),
+        ("name", ctypes.c_void_p),
         ("vertex", ctypes.c_uint32),
         ("reserved", ctypes.c_uint32),
         ("position", ctypes.c_double * 3),
@@ -281,7 +158,7 @@ class ModelOptions(ctypes.Structure):
         ("nu", ctypes.c_double),
         ("levels", ctypes.c_int32),
         ("num_modes", ctypes.c_int32),
-        ("kernels", ctypes.POINTER(Kernel)),
+        ("kernels", ctypes.c_void_p),
         ("kernel_count", ctypes.c_uint64),
         ("tolerance", ctypes.c_double),
         ("num_control_points", ctypes.c_int32),
@@ -291,14 +168,14 @@ class ModelOptions(ctypes.Structure):
         ("heat_time_factor", ctypes.c_double),
         ("heat_boundary", ctypes.c_int32),
         ("pca_modes", ctypes.c_int32),
-        ("pca_dataset", ctypes.c_char_p),
+        ("pca_dataset", ctypes.c_void_p),
         ("pca_variance", ctypes.c_double),
         ("pca_all_expressions", ctypes.c_int32),
         ("pca_align", ctypes.c_int32),
         ("scale_per_vertex", ArrayView),
-        ("landmarks", ctypes.POINTER(Landmark)),
+        ("landmarks", ctypes.c_void_p),
         ("landmark_count", ctypes.c_uint64),
-        ("zones", ctypes.POINTER(Zone)),
+        ("zones", ctypes.c_void_p),
         ("zone_count", ctypes.c_uint64),
         ("progress", ProgressFn),
         ("progress_user", ctypes.c_void_p),
@@ -317,7 +194,7 @@ class TuneOptions(ctypes.Structure):
         ("rho", ctypes.c_double),
         ("levels", ctypes.c_int32),
         ("num_modes", ctypes.c_int32),
-        ("expressions", ctypes.POINTER(ctypes.c_char_p)),
+        ("expressions", ctypes.c_void_p),
         ("expression_count", ctypes.c_uint32),
         ("max_subjects", ctypes.c_int32),
         ("progress", ProgressFn),
@@ -328,7 +205,7 @@ class TuneOptions(ctypes.Structure):
 
 class ScanLandmark(ctypes.Structure):
     _fields_ = [
-        ("name", ctypes.c_char_p),
+        ("name", ctypes.c_void_p),
         ("position", ctypes.c_double * 3),
     ]
 
@@ -337,7 +214,7 @@ class RegisterOptions(ctypes.Structure):
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("growth", ctypes.c_int32),
-        ("landmarks", ctypes.POINTER(ScanLandmark)),
+        ("landmarks", ctypes.c_void_p),
         ("landmark_count", ctypes.c_uint64),
         ("landmark_sigma_mm", ctypes.c_double),
         ("start", ctypes.c_int32),
@@ -360,9 +237,6 @@ class RegisterOptions(ctypes.Structure):
         ("cancel", ctypes.c_void_p),
         ("color_features", ctypes.c_int32),
         ("reserved", ctypes.c_uint32),
-        ("unit_to_mm", ctypes.c_double),
-        ("landmark_sides", ctypes.c_int32),
-        ("reserved2", ctypes.c_uint32),
     ]
 
 
@@ -425,7 +299,7 @@ class MeasureOptions(ctypes.Structure):
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("skip_borders", ctypes.c_int32),
-        ("zones", ctypes.POINTER(Zone)),
+        ("zones", ctypes.c_void_p),
         ("zone_count", ctypes.c_uint64),
         ("before_sd", ArrayView),
         ("after_sd", ArrayView),
@@ -551,64 +425,6 @@ class SeriesOptions(ctypes.Structure):
     ]
 
 
-class StudyOptions(ctypes.Structure):
-    _fields_ = [
-        ("struct_size", ctypes.c_uint32),
-        ("reserved", ctypes.c_uint32),
-        ("zones", ctypes.POINTER(Zone)),
-        ("zone_count", ctypes.c_uint64),
-        ("treated_zones", ctypes.POINTER(ctypes.c_char_p)),
-        ("treated_count", ctypes.c_uint64),
-        ("stable_zones", ctypes.POINTER(ctypes.c_char_p)),
-        ("stable_count", ctypes.c_uint64),
-        ("visits", ctypes.c_void_p),
-        ("visit_number_count", ctypes.c_uint64),
-        ("margin_mm", ctypes.c_double),
-        ("level", ctypes.c_double),
-        ("noise_mm", ctypes.c_double),
-        ("correlation_length_mm", ctypes.c_double),
-        ("common_bias_mm", ctypes.c_double),
-        ("untrained_share", ctypes.c_double),
-        ("min_seen_share", ctypes.c_double),
-        ("progress", ProgressFn),
-        ("progress_user", ctypes.c_void_p),
-        ("cancel", ctypes.c_void_p),
-    ]
-
-
-class StudyValue(ctypes.Structure):
-    _fields_ = [
-        ("value", ctypes.c_double),
-        ("sd", ctypes.c_double),
-        ("low", ctypes.c_double),
-        ("high", ctypes.c_double),
-        ("limit_of_detection", ctypes.c_double),
-    ]
-
-
-class StudyChange(ctypes.Structure):
-    _fields_ = [
-        ("struct_size", ctypes.c_uint32),
-        ("unknown", ctypes.c_int32),
-        ("signed_ml", StudyValue),
-        ("gained_ml", StudyValue),
-        ("lost_ml", StudyValue),
-        ("absolute_ml", StudyValue),
-        ("area_change_mm2", StudyValue),
-        ("mean_distance_mm", StudyValue),
-        ("surface_sd_ml", ctypes.c_double),
-        ("alignment_sd_ml", ctypes.c_double),
-        ("bias_sd_ml", ctypes.c_double),
-        ("expression_sd_ml", ctypes.c_double),
-        ("expression_removed_ml", ctypes.c_double),
-        ("seen_share", ctypes.c_double),
-        ("area_before_mm2", ctypes.c_double),
-        ("area_after_mm2", ctypes.c_double),
-        ("detected", ctypes.c_int32),
-        ("reserved", ctypes.c_uint32),
-    ]
-
-
 class TrainOptions(ctypes.Structure):
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
@@ -658,233 +474,1716 @@ class VisitsOptions(ctypes.Structure):
     ]
 
 
-SIGNATURES = {
-    "mien_status_name": (ctypes.c_char_p, [ctypes.c_int32]),
-    "mien_version_number": (ctypes.c_uint32, []),
-    "mien_version_string": (ctypes.c_char_p, []),
-    "mien_build_id": (ctypes.c_char_p, []),
-    "mien_session_options_init": (None, [ctypes.POINTER(SessionOptions), ctypes.c_size_t]),
-    "mien_session_create": (ctypes.c_int32, [ctypes.c_uint32, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_session_create_with_options": (ctypes.c_int32, [ctypes.c_uint32, ctypes.POINTER(SessionOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_session_release": (None, [ctypes.c_void_p]),
-    "mien_cancel_create": (ctypes.c_int32, [ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_cancel_request": (None, [ctypes.c_void_p]),
-    "mien_cancel_release": (None, [ctypes.c_void_p]),
-    "mien_mesh_arrays_init": (None, [ctypes.POINTER(MeshArrays), ctypes.c_size_t]),
-    "mien_mesh_create": (ctypes.c_int32, [ctypes.c_void_p, ctypes.POINTER(MeshArrays), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_mesh_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_mesh_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
-    "mien_mesh_get_counts": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_mesh_get_positions": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_mesh_get_triangles": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_mesh_get_colors": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_mesh_format_count": (ctypes.c_uint32, []),
-    "mien_mesh_format_extension": (ctypes.c_char_p, [ctypes.c_uint32]),
-    "mien_mesh_format_description": (ctypes.c_char_p, [ctypes.c_uint32]),
-    "mien_mesh_format_writes": (ctypes.c_void_p, [ctypes.c_uint32]),
-    "mien_mesh_get_texture": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_mesh_get_texture_triangles": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_mesh_get_triangle_materials": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_mesh_get_material_counts": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_mesh_get_material": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_mesh_get_material_name": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_mesh_get_image_name": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_mesh_get_image_file": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_mesh_get_image_size": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_mesh_get_image_pixels": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_mesh_save_targets": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(ctypes.c_char_p), ctypes.c_uint64, ctypes.c_char_p, ctypes.POINTER(Error)]),
-    "mien_mesh_load_target": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_mesh_positions_view": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_mesh_retain": (None, [ctypes.c_void_p]),
-    "mien_mesh_release": (None, [ctypes.c_void_p]),
-    "mien_spectral_basis_options_init": (None, [ctypes.POINTER(SpectralBasisOptions), ctypes.c_size_t]),
-    "mien_spectral_basis_build": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(SpectralBasisOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_spectral_basis_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_spectral_basis_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
-    "mien_spectral_basis_get_counts": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_spectral_basis_get_eigenvalues": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_spectral_basis_retain": (None, [ctypes.c_void_p]),
-    "mien_spectral_basis_release": (None, [ctypes.c_void_p]),
-    "mien_spectral_split": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_spectral_assemble": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_spectral_edit": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_spectral_mix": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_metric": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_transfer_expression": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_blendshape_options_init": (None, [ctypes.POINTER(BlendshapeOptions), ctypes.c_size_t]),
-    "mien_blendshape_model_train": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.c_char_p, ctypes.POINTER(BlendshapeOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_blendshape_model_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_blendshape_model_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
-    "mien_blendshape_model_get_mean": (ctypes.c_int32, [ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_blendshape_model_predict": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_blendshape_model_search": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.c_char_p, ctypes.c_void_p, ctypes.c_uint32, ctypes.POINTER(BlendshapeOptions), ctypes.POINTER(BandChoice), ctypes.POINTER(Error)]),
-    "mien_blendshape_model_retain": (None, [ctypes.c_void_p]),
-    "mien_blendshape_model_release": (None, [ctypes.c_void_p]),
-    "mien_dataset_writer_create": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ctypes.c_char_p), ctypes.c_uint32, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_dataset_writer_add": (ctypes.c_int32, [ctypes.c_void_p, ctypes.POINTER(ArrayView), ctypes.c_int32, ctypes.c_int32, ctypes.POINTER(Error)]),
-    "mien_dataset_writer_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
-    "mien_dataset_writer_release": (None, [ctypes.c_void_p]),
-    "mien_model_options_init": (None, [ctypes.POINTER(ModelOptions), ctypes.c_size_t]),
-    "mien_model_build": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ModelOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_model_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_model_load_memory": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_model_load_trusted": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_model_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
-    "mien_model_get_counts": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_model_get_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_model_get_variance": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_model_sample": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_uint64, ctypes.c_double, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_model_condition": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(LandmarkObservation), ctypes.c_uint64, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_tune_options_init": (None, [ctypes.POINTER(TuneOptions), ctypes.c_size_t]),
-    "mien_model_tune": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(TuneOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_tuning_get_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_tuning_release": (None, [ctypes.c_void_p]),
-    "mien_model_mesh": (ctypes.c_void_p, [ctypes.c_void_p]),
-    "mien_model_retain": (None, [ctypes.c_void_p]),
-    "mien_model_release": (None, [ctypes.c_void_p]),
-    "mien_landmarks_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_landmarks_create": (ctypes.c_int32, [ctypes.POINTER(ScanLandmark), ctypes.c_uint64, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_model_get_landmarks": (ctypes.c_int32, [ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_landmarks_match": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_landmarks_on_mesh": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_landmarks_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
-    "mien_landmarks_get_counts": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_landmarks_get_name": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_landmarks_get_mark": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_landmarks_get_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_landmarks_retain": (None, [ctypes.c_void_p]),
-    "mien_landmarks_release": (None, [ctypes.c_void_p]),
-    "mien_zones_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_zones_create": (ctypes.c_int32, [ctypes.POINTER(Zone), ctypes.c_uint64, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_model_get_zones": (ctypes.c_int32, [ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_zones_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
-    "mien_zones_get_count": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_zones_get_name": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_zones_get_vertices": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_zones_retain": (None, [ctypes.c_void_p]),
-    "mien_zones_release": (None, [ctypes.c_void_p]),
-    "mien_register_options_init": (None, [ctypes.POINTER(RegisterOptions), ctypes.c_size_t]),
-    "mien_register": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(RegisterOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_registration_mesh": (ctypes.c_void_p, [ctypes.c_void_p]),
-    "mien_registration_get_verdict": (ctypes.c_int32, [ctypes.c_void_p, ctypes.POINTER(FitVerdict), ctypes.POINTER(Error)]),
-    "mien_registration_get_field": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_registration_get_correspondence": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_registration_get_motion": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_registration_get_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_registration_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
-    "mien_registration_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_registration_create": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ArrayView), ctypes.POINTER(ArrayView), ctypes.POINTER(ArrayView), ctypes.c_int32, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_registration_retain": (None, [ctypes.c_void_p]),
-    "mien_registration_release": (None, [ctypes.c_void_p]),
-    "mien_surface_transfer_points": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ArrayView), ctypes.c_double, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_surface_transfer_zone": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_double, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_surface_transfer_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int32, ctypes.c_double, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_expression_model_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_expression_model_load_memory": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_expression_model_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
-    "mien_expression_model_retain": (None, [ctypes.c_void_p]),
-    "mien_expression_model_release": (None, [ctypes.c_void_p]),
-    "mien_expression_model_get_counts": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_expression_model_get_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_expression_model_synthesize": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ArrayView), ctypes.POINTER(ArrayView), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_expression_model_sample": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_neutralize_options_init": (None, [ctypes.POINTER(NeutralizeOptions), ctypes.c_size_t]),
-    "mien_neutralize": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(NeutralizeOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_neutralize_mesh": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(NeutralizeOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_neutralization_mesh": (ctypes.c_void_p, [ctypes.c_void_p]),
-    "mien_neutralization_get_coordinates": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_neutralization_get_uncertainty": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_neutralization_get_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_neutralization_release": (None, [ctypes.c_void_p]),
-    "mien_neutralization_apply_to_scan": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_double, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_expression_model_transfer": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_evaluate_options_init": (None, [ctypes.POINTER(EvaluateOptions), ctypes.c_size_t]),
-    "mien_evaluate_neutralization": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(EvaluateOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_evaluation_get_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_evaluation_release": (None, [ctypes.c_void_p]),
-    "mien_hierarchy_build_quadric": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint32, ctypes.c_double, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_hierarchy_build_connectivity": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint32, ctypes.c_uint32, ctypes.c_uint32, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_hierarchy_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_hierarchy_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
-    "mien_hierarchy_get_level_count": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_hierarchy_get_level": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_uint32, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_hierarchy_apply": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_uint32, ctypes.c_int32, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_hierarchy_retain": (None, [ctypes.c_void_p]),
-    "mien_hierarchy_release": (None, [ctypes.c_void_p]),
-    "mien_measure_options_init": (None, [ctypes.POINTER(MeasureOptions), ctypes.c_size_t]),
-    "mien_measure_volume": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(MeasureOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_measure_distance": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(MeasureOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_measure_surface_distance": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(MeasureOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_measure_closed_volume": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_measure_area": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Zone), ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_measure_curvature": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_double, ctypes.c_int32, ctypes.POINTER(MeasureOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_measure_lengths": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_measure_scan_volume": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.POINTER(MeasureOptions), ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_measure_align": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Zone), ctypes.POINTER(ZoneAlignment), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_measurement_get_zones": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_measurement_get_volume": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.POINTER(ZoneVolume), ctypes.POINTER(Error)]),
-    "mien_measurement_get_distance": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.POINTER(ZoneDistance), ctypes.POINTER(Error)]),
-    "mien_measurement_get_field": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_measurement_get_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_measurement_release": (None, [ctypes.c_void_p]),
-    "mien_mesh_inspect": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_mesh_clean": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_mesh_transform": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_mesh_turn_over": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_mesh_decimate": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_mesh_check_same_unit": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_representation_train": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.c_int32, ctypes.c_int32, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_representation_options_init": (None, [ctypes.POINTER(RepresentationOptions), ctypes.c_size_t]),
-    "mien_representation_train_with_options": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.c_int32, ctypes.POINTER(RepresentationOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_representation_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_representation_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
-    "mien_representation_get_counts": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_representation_encode": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_representation_decode": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_representation_retain": (None, [ctypes.c_void_p]),
-    "mien_representation_release": (None, [ctypes.c_void_p]),
-    "mien_score_options_init": (None, [ctypes.POINTER(ScoreOptions), ctypes.c_size_t]),
-    "mien_score_model_train": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.POINTER(ScoreOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_score_model_load": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_score_model_save": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(Error)]),
-    "mien_score_model_predict": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ScorePrediction), ctypes.POINTER(Error)]),
-    "mien_score_model_simulate": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_double, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_score_model_get_latent": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_score_model_get_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_score_model_retain": (None, [ctypes.c_void_p]),
-    "mien_score_model_release": (None, [ctypes.c_void_p]),
-    "mien_statistics_agreement": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_uint32, ctypes.c_int32, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_statistics_repeatability": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_statistics_bland_altman": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_series_options_init": (None, [ctypes.POINTER(SeriesOptions), ctypes.c_size_t]),
-    "mien_neutralize_series": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.c_uint32, ctypes.POINTER(SeriesOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_series_get_mesh": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_series_get_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_series_release": (None, [ctypes.c_void_p]),
-    "mien_study_options_init": (None, [ctypes.POINTER(StudyOptions), ctypes.c_size_t]),
-    "mien_study_create": (ctypes.c_int32, [ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.c_uint32, ctypes.c_void_p, ctypes.POINTER(StudyOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_study_create_from_meshes": (ctypes.c_int32, [ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.c_uint32, ctypes.POINTER(ArrayView), ctypes.POINTER(ArrayView), ctypes.c_void_p, ctypes.POINTER(StudyOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_study_get_counts": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_study_get_zone_name": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_study_get_expression": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_study_get_mesh": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.c_int32, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_study_get_field": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.c_int32, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_study_get_distances": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.c_int32, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_study_get_alignment": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.c_int32, ctypes.POINTER(ZoneAlignment), ctypes.POINTER(Error)]),
-    "mien_study_get_change": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.c_int32, ctypes.c_int32, ctypes.POINTER(StudyChange), ctypes.POINTER(Error)]),
-    "mien_study_get_json": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_study_retain": (None, [ctypes.c_void_p]),
-    "mien_study_release": (None, [ctypes.c_void_p]),
-    "mien_template_check": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_train_options_init": (None, [ctypes.POINTER(TrainOptions), ctypes.c_size_t]),
-    "mien_expression_model_train": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(TrainOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_shard_options_init": (None, [ctypes.POINTER(ShardOptions), ctypes.c_size_t]),
-    "mien_expression_shard_create": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_char_p, ctypes.POINTER(ShardOptions), ctypes.c_char_p, ctypes.POINTER(Error)]),
-    "mien_expression_model_merge": (ctypes.c_int32, [ctypes.c_void_p, ctypes.POINTER(ctypes.c_char_p), ctypes.c_uint32, ctypes.POINTER(TrainOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_visits_options_init": (None, [ctypes.POINTER(VisitsOptions), ctypes.c_size_t]),
-    "mien_neutralize_visits": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(ctypes.c_void_p), ctypes.c_uint32, ctypes.POINTER(VisitsOptions), ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_visits_get_mesh": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(Error)]),
-    "mien_visits_get_expression": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_visits_get_removed_volume": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_int32, ctypes.c_int32, ctypes.POINTER(Zone), ctypes.c_void_p, ctypes.c_void_p, ctypes.POINTER(Error)]),
-    "mien_visits_release": (None, [ctypes.c_void_p]),
+# struct: ((field, role, base, count, enum), ...)
+STRUCTS = {
+    "mien_error": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("status", "scalar", "mien_status", (), ""),
+        ("detail_index", "scalar", "int64_t", (), ""),
+        ("message", "chars", "char", (256,), ""),
+    ),
+    "mien_session_options": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("num_threads", "scalar", "int32_t", (), ""),
+        ("max_bytes", "scalar", "uint64_t", (), ""),
+        ("log", "callback", "mien_log_fn", (), ""),
+        ("log_user", "user", "void", (), ""),
+    ),
+    "mien_array_view": (
+        ("data", "data", "void", ('count',), ""),
+        ("count", "scalar", "uint64_t", (), ""),
+        ("stride_bytes", "scalar", "uint64_t", (), ""),
+        ("dtype", "scalar", "mien_dtype", (), ""),
+        ("reserved", "reserved", "int32_t", (), ""),
+    ),
+    "mien_zone": (
+        ("name", "text", "char", (), ""),
+        ("vertices", "array", "uint32_t", ('vertex_count',), ""),
+        ("vertex_count", "count", "uint64_t", (), ""),
+    ),
+    "mien_image": (
+        ("name", "text", "char", (), ""),
+        ("pixels", "array", "uint8_t", ('height', 'width', 3), ""),
+        ("row_stride_bytes", "scalar", "uint64_t", (), ""),
+        ("width", "scalar", "uint32_t", (), ""),
+        ("height", "scalar", "uint32_t", (), ""),
+        ("file", "array", "uint8_t", ('file_size',), ""),
+        ("file_size", "count", "uint64_t", (), ""),
+    ),
+    "mien_material": (
+        ("name", "text", "char", (), ""),
+        ("image", "scalar", "int32_t", (), ""),
+        ("reserved", "reserved", "int32_t", (), ""),
+        ("red", "scalar", "double", (), ""),
+        ("green", "scalar", "double", (), ""),
+        ("blue", "scalar", "double", (), ""),
+    ),
+    "mien_mesh_arrays": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("reserved", "reserved", "uint32_t", (), ""),
+        ("positions", "matrix", "mien_array_view", (3,), ""),
+        ("triangles", "array", "uint32_t", ('triangle_count', 3), ""),
+        ("triangle_count", "count", "uint64_t", (), ""),
+        ("colors", "array", "uint8_t", ('positions.count', 3), ""),
+        ("texture", "array", "float", ('texture_count', 2), ""),
+        ("texture_count", "count", "uint64_t", (), ""),
+        ("texture_triangles", "array", "uint32_t", ('triangle_count', 3), ""),
+        ("materials", "structs", "mien_material", ('material_count',), ""),
+        ("material_count", "count", "uint64_t", (), ""),
+        ("triangle_materials", "array", "uint32_t", ('triangle_count',), ""),
+        ("images", "structs", "mien_image", ('image_count',), ""),
+        ("image_count", "count", "uint64_t", (), ""),
+    ),
+    "mien_spectral_basis_options": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("mode_count", "scalar", "uint32_t", (), ""),
+        ("mass", "scalar", "int32_t", (), "MASS"),
+        ("cotangents", "scalar", "int32_t", (), "COTANGENTS"),
+        ("progress", "callback", "mien_progress_fn", (), ""),
+        ("progress_user", "user", "void", (), ""),
+        ("cancel", "handle", "mien_cancel", (), ""),
+    ),
+    "mien_blendshape_options": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("reserved", "reserved", "uint32_t", (), ""),
+        ("ridge", "scalar", "double", (), ""),
+        ("progress", "callback", "mien_progress_fn", (), ""),
+        ("progress_user", "user", "void", (), ""),
+        ("cancel", "handle", "mien_cancel", (), ""),
+    ),
+    "mien_band_choice": (
+        ("k", "scalar", "uint64_t", (), ""),
+        ("l1_mm", "scalar", "double", (), ""),
+        ("dame", "scalar", "double", (), ""),
+        ("fmpd", "scalar", "double", (), ""),
+        ("on_front", "scalar", "int32_t", (), ""),
+        ("chosen", "scalar", "int32_t", (), ""),
+    ),
+    "mien_kernel": (
+        ("kind", "scalar", "int32_t", (), "KERNEL"),
+        ("reserved", "reserved", "int32_t", (), ""),
+        ("sigma_mm", "scalar", "double", (), ""),
+        ("scale_mm", "scalar", "double", (), ""),
+        ("nu", "scalar", "double", (), ""),
+    ),
+    "mien_landmark": (
+        ("name", "text", "char", (), ""),
+        ("vertex", "scalar", "uint32_t", (), ""),
+        ("reserved", "reserved", "uint32_t", (), ""),
+    ),
+    "mien_landmark_observation": (
+        ("name", "text", "char", (), ""),
+        ("vertex", "scalar", "uint32_t", (), ""),
+        ("reserved", "reserved", "uint32_t", (), ""),
+        ("position", "fixed", "double", (3,), ""),
+        ("noise_mm", "scalar", "double", (), ""),
+    ),
+    "mien_model_options": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("kernel", "scalar", "int32_t", (), "KERNEL"),
+        ("sigma_mm", "scalar", "double", (), ""),
+        ("scale_mm", "scalar", "double", (), ""),
+        ("nu", "scalar", "double", (), ""),
+        ("levels", "scalar", "int32_t", (), ""),
+        ("num_modes", "scalar", "int32_t", (), ""),
+        ("kernels", "structs", "mien_kernel", ('kernel_count',), ""),
+        ("kernel_count", "count", "uint64_t", (), ""),
+        ("tolerance", "scalar", "double", (), ""),
+        ("num_control_points", "scalar", "int32_t", (), ""),
+        ("mirror_symmetric", "scalar", "int32_t", (), ""),
+        ("mirror_correlation", "scalar", "double", (), ""),
+        ("eigenvalue_threshold", "scalar", "double", (), ""),
+        ("heat_time_factor", "scalar", "double", (), ""),
+        ("heat_boundary", "scalar", "int32_t", (), "HEAT"),
+        ("pca_modes", "scalar", "int32_t", (), ""),
+        ("pca_dataset", "text", "char", (), ""),
+        ("pca_variance", "scalar", "double", (), ""),
+        ("pca_all_expressions", "scalar", "int32_t", (), ""),
+        ("pca_align", "scalar", "int32_t", (), ""),
+        ("scale_per_vertex", "matrix", "mien_array_view", (1,), ""),
+        ("landmarks", "structs", "mien_landmark", ('landmark_count',), ""),
+        ("landmark_count", "count", "uint64_t", (), ""),
+        ("zones", "structs", "mien_zone", ('zone_count',), ""),
+        ("zone_count", "count", "uint64_t", (), ""),
+        ("progress", "callback", "mien_progress_fn", (), ""),
+        ("progress_user", "user", "void", (), ""),
+        ("cancel", "handle", "mien_cancel", (), ""),
+    ),
+    "mien_tune_options": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("kernel", "scalar", "int32_t", (), "KERNEL"),
+        ("sigmas_mm", "array", "double", ('sigma_count',), ""),
+        ("sigma_count", "count", "uint64_t", (), ""),
+        ("scale_mm", "scalar", "double", (), ""),
+        ("nu", "scalar", "double", (), ""),
+        ("rho", "scalar", "double", (), ""),
+        ("levels", "scalar", "int32_t", (), ""),
+        ("num_modes", "scalar", "int32_t", (), ""),
+        ("expressions", "texts", "char", ('expression_count',), ""),
+        ("expression_count", "count", "uint32_t", (), ""),
+        ("max_subjects", "scalar", "int32_t", (), ""),
+        ("progress", "callback", "mien_progress_fn", (), ""),
+        ("progress_user", "user", "void", (), ""),
+        ("cancel", "handle", "mien_cancel", (), ""),
+    ),
+    "mien_scan_landmark": (
+        ("name", "text", "char", (), ""),
+        ("position", "fixed", "double", (3,), ""),
+    ),
+    "mien_register_options": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("growth", "scalar", "int32_t", (), "GROWTH"),
+        ("landmarks", "structs", "mien_scan_landmark", ('landmark_count',), ""),
+        ("landmark_count", "count", "uint64_t", (), ""),
+        ("landmark_sigma_mm", "scalar", "double", (), ""),
+        ("start", "scalar", "int32_t", (), "START"),
+        ("units", "scalar", "int32_t", (), "UNITS"),
+        ("scan_weights", "matrix", "mien_array_view", (1,), ""),
+        ("skin_weights", "scalar", "int32_t", (), ""),
+        ("close_gap", "scalar", "int32_t", (), ""),
+        ("max_scalar_modes", "scalar", "int32_t", (), ""),
+        ("max_pca_modes", "scalar", "int32_t", (), ""),
+        ("iterations", "scalar", "int32_t", (), ""),
+        ("reject_border", "scalar", "int32_t", (), ""),
+        ("sigma_start_mm", "scalar", "double", (), ""),
+        ("sigma_end_mm", "scalar", "double", (), ""),
+        ("max_angle_deg", "scalar", "double", (), ""),
+        ("start_rotation", "fixed", "double", (9,), ""),
+        ("start_translation", "fixed", "double", (3,), ""),
+        ("start_scale", "scalar", "double", (), ""),
+        ("progress", "callback", "mien_progress_fn", (), ""),
+        ("progress_user", "user", "void", (), ""),
+        ("cancel", "handle", "mien_cancel", (), ""),
+        ("color_features", "scalar", "int32_t", (), ""),
+        ("reserved", "reserved", "uint32_t", (), ""),
+    ),
+    "mien_fit_verdict": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("quality", "scalar", "int32_t", (), "QUALITY"),
+        ("coverage", "scalar", "double", (), ""),
+        ("inlier_share", "scalar", "double", (), ""),
+        ("mean_residual_mm", "scalar", "double", (), ""),
+        ("landmark_rms_mm", "scalar", "double", (), ""),
+        ("size_ratio", "scalar", "double", (), ""),
+        ("mean_deviation", "scalar", "double", (), ""),
+        ("unit_to_mm", "scalar", "double", (), ""),
+        ("landmarks_used", "scalar", "int32_t", (), ""),
+        ("landmarks_rejected", "scalar", "int32_t", (), ""),
+        ("flipped_triangles", "scalar", "int32_t", (), ""),
+        ("self_intersections", "scalar", "int32_t", (), ""),
+    ),
+    "mien_neutralize_options": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("method", "scalar", "int32_t", (), "FIT"),
+        ("max_sweeps", "scalar", "int32_t", (), ""),
+        ("uncertainty", "scalar", "int32_t", (), ""),
+        ("pose", "scalar", "int32_t", (), "POSE"),
+        ("reserved", "reserved", "uint32_t", (), ""),
+        ("tolerance_mm", "scalar", "double", (), ""),
+        ("noise_mm2", "scalar", "double", (), ""),
+        ("decay_mm", "scalar", "double", (), ""),
+        ("weights", "matrix", "mien_array_view", (1,), ""),
+        ("progress", "callback", "mien_progress_fn", (), ""),
+        ("progress_user", "user", "void", (), ""),
+        ("cancel", "handle", "mien_cancel", (), ""),
+    ),
+    "mien_evaluate_options": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("method", "scalar", "int32_t", (), "FIT"),
+        ("max_sweeps", "scalar", "int32_t", (), ""),
+        ("against_method", "scalar", "int32_t", (), "FIT"),
+        ("against_max_sweeps", "scalar", "int32_t", (), ""),
+        ("reserved", "reserved", "uint32_t", (), ""),
+        ("against", "handle", "mien_expression_model", (), ""),
+        ("zone_vertices", "array", "uint32_t", ('zone_count',), ""),
+        ("zone_count", "count", "uint64_t", (), ""),
+        ("stable_vertices", "array", "uint32_t", ('stable_count',), ""),
+        ("stable_count", "count", "uint64_t", (), ""),
+        ("progress", "callback", "mien_progress_fn", (), ""),
+        ("progress_user", "user", "void", (), ""),
+        ("cancel", "handle", "mien_cancel", (), ""),
+    ),
+    "mien_measure_options": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("skip_borders", "scalar", "int32_t", (), ""),
+        ("zones", "structs", "mien_zone", ('zone_count',), ""),
+        ("zone_count", "count", "uint64_t", (), ""),
+        ("before_sd", "matrix", "mien_array_view", (1,), ""),
+        ("after_sd", "matrix", "mien_array_view", (1,), ""),
+        ("correlation_length_mm", "scalar", "double", (), ""),
+        ("alignment_rotation_sd_rad", "scalar", "double", (), ""),
+        ("alignment_translation_sd_mm", "scalar", "double", (), ""),
+        ("alignment_centre", "fixed", "double", (3,), ""),
+        ("common_bias_mm", "scalar", "double", (), ""),
+        ("limit_of_detection_ml", "scalar", "double", (), ""),
+        ("max_distance_mm", "scalar", "double", (), ""),
+        ("progress", "callback", "mien_progress_fn", (), ""),
+        ("progress_user", "user", "void", (), ""),
+        ("cancel", "handle", "mien_cancel", (), ""),
+    ),
+    "mien_zone_volume": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("detected", "scalar", "int32_t", (), ""),
+        ("signed_ml", "scalar", "double", (), ""),
+        ("positive_ml", "scalar", "double", (), ""),
+        ("negative_ml", "scalar", "double", (), ""),
+        ("absolute_ml", "scalar", "double", (), ""),
+        ("sd_ml", "scalar", "double", (), ""),
+        ("low95_ml", "scalar", "double", (), ""),
+        ("high95_ml", "scalar", "double", (), ""),
+        ("area_before_mm2", "scalar", "double", (), ""),
+        ("area_after_mm2", "scalar", "double", (), ""),
+    ),
+    "mien_zone_distance": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("reserved", "reserved", "uint32_t", (), ""),
+        ("mean_signed_mm", "scalar", "double", (), ""),
+        ("sd_signed_mm", "scalar", "double", (), ""),
+        ("mean_absolute_mm", "scalar", "double", (), ""),
+        ("rms_mm", "scalar", "double", (), ""),
+        ("mean_length_mm", "scalar", "double", (), ""),
+        ("median_length_mm", "scalar", "double", (), ""),
+        ("p95_length_mm", "scalar", "double", (), ""),
+        ("max_length_mm", "scalar", "double", (), ""),
+        ("vertex_count", "scalar", "uint64_t", (), ""),
+    ),
+    "mien_zone_alignment": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("reserved", "reserved", "uint32_t", (), ""),
+        ("pairs", "scalar", "uint64_t", (), ""),
+        ("rms_mm", "scalar", "double", (), ""),
+        ("rotation_sd_rad", "scalar", "double", (), ""),
+        ("translation_sd_mm", "scalar", "double", (), ""),
+        ("centre", "fixed", "double", (3,), ""),
+        ("matrix", "fixed", "double", (16,), ""),
+    ),
+    "mien_representation_options": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("neutral_only", "scalar", "int32_t", (), ""),
+        ("progress", "callback", "mien_progress_fn", (), ""),
+        ("progress_user", "user", "void", (), ""),
+        ("cancel", "handle", "mien_cancel", (), ""),
+    ),
+    "mien_score_options": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("method", "scalar", "int32_t", (), "PLS"),
+        ("num_components", "scalar", "int32_t", (), ""),
+        ("max_components", "scalar", "int32_t", (), ""),
+        ("folds", "scalar", "int32_t", (), ""),
+        ("reserved", "reserved", "uint32_t", (), ""),
+        ("seed", "scalar", "uint64_t", (), ""),
+        ("curvature_share", "scalar", "double", (), ""),
+        ("curvature_radius_mm", "scalar", "double", (), ""),
+        ("lowest", "scalar", "double", (), ""),
+        ("highest", "scalar", "double", (), ""),
+        ("zone_vertices", "array", "uint32_t", ('zone_count',), ""),
+        ("zone_count", "count", "uint64_t", (), ""),
+        ("stable_vertices", "array", "uint32_t", ('stable_count',), ""),
+        ("stable_count", "count", "uint64_t", (), ""),
+        ("progress", "callback", "mien_progress_fn", (), ""),
+        ("progress_user", "user", "void", (), ""),
+        ("cancel", "handle", "mien_cancel", (), ""),
+        ("focus", "scalar", "uint32_t", (), ""),
+        ("reserved2", "reserved", "uint32_t", (), ""),
+    ),
+    "mien_score_prediction": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("extrapolates", "scalar", "int32_t", (), ""),
+        ("score", "scalar", "double", (), ""),
+        ("low95", "scalar", "double", (), ""),
+        ("high95", "scalar", "double", (), ""),
+        ("leverage", "scalar", "double", (), ""),
+    ),
+    "mien_series_options": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("method", "scalar", "int32_t", (), "FIT"),
+        ("pose", "scalar", "int32_t", (), "POSE"),
+        ("reserved", "reserved", "uint32_t", (), ""),
+        ("scan_noise_share", "scalar", "double", (), ""),
+        ("noise_mm2", "scalar", "double", (), ""),
+        ("changing_vertices", "array", "uint32_t", ('changing_count',), ""),
+        ("changing_count", "count", "uint64_t", (), ""),
+        ("expected_change_mm", "scalar", "double", (), ""),
+        ("progress", "callback", "mien_progress_fn", (), ""),
+        ("progress_user", "user", "void", (), ""),
+        ("cancel", "handle", "mien_cancel", (), ""),
+        ("weights", "matrix", "mien_array_view", (1,), ""),
+    ),
+    "mien_train_options": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("method", "scalar", "int32_t", (), "TRAIN"),
+        ("identity_modes", "scalar", "int32_t", (), ""),
+        ("expression_modes", "scalar", "int32_t", (), ""),
+        ("max_iterations", "scalar", "int32_t", (), ""),
+        ("passes", "scalar", "int32_t", (), ""),
+        ("lambda", "scalar", "double", (), ""),
+        ("lambda_factor", "scalar", "double", (), ""),
+        ("angle_tolerance_rad", "scalar", "double", (), ""),
+        ("noise_mm2", "scalar", "double", (), ""),
+        ("stable_vertices", "array", "uint32_t", ('stable_count',), ""),
+        ("stable_count", "count", "uint64_t", (), ""),
+        ("progress", "callback", "mien_progress_fn", (), ""),
+        ("progress_user", "user", "void", (), ""),
+        ("cancel", "handle", "mien_cancel", (), ""),
+    ),
+    "mien_shard_options": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("part", "scalar", "int32_t", (), ""),
+        ("part_count", "scalar", "int32_t", (), ""),
+        ("max_rank", "scalar", "int32_t", (), ""),
+        ("progress", "callback", "mien_progress_fn", (), ""),
+        ("progress_user", "user", "void", (), ""),
+        ("cancel", "handle", "mien_cancel", (), ""),
+        ("stable_vertices", "array", "uint32_t", ('stable_count',), ""),
+        ("stable_count", "count", "uint64_t", (), ""),
+    ),
+    "mien_visits_options": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("pose", "scalar", "int32_t", (), "POSE"),
+        ("normal_noise_mm2", "scalar", "double", (), ""),
+        ("tangential_noise_mm2", "scalar", "double", (), ""),
+        ("treated_vertices", "array", "uint32_t", ('treated_count',), ""),
+        ("treated_count", "count", "uint64_t", (), ""),
+        ("weights", "matrix", "mien_array_view", (1,), ""),
+        ("progress", "callback", "mien_progress_fn", (), ""),
+        ("progress_user", "user", "void", (), ""),
+        ("cancel", "handle", "mien_cancel", (), ""),
+    ),
+}
+
+# function: (result, locks, options, ((parameter, role, base, count, nullable, enum), ...))
+FUNCTIONS = {
+    "mien_status_name": (ctypes.c_char_p, (), (
+        ("status", "scalar", "mien_status", (), False, ""),
+    )),
+    "mien_version_number": ("uint32_t", (), (
+    )),
+    "mien_version_string": (ctypes.c_char_p, (), (
+    )),
+    "mien_build_id": (ctypes.c_char_p, (), (
+    )),
+    "mien_session_options_init": (None, (), (
+        ("options", "struct_out", "mien_session_options", (), False, ""),
+        ("struct_size", "struct_size", "size_t", (), False, ""),
+    )),
+    "mien_session_create": (ctypes.c_int32, (), (
+        ("abi_version", "scalar", "uint32_t", (), False, ""),
+        ("out", "handle_out", "mien_session", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_session_create_with_options": (ctypes.c_int32, (), (
+        ("abi_version", "scalar", "uint32_t", (), False, ""),
+        ("options", "struct", "mien_session_options", (), True, ""),
+        ("out", "handle_out", "mien_session", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_session_release": (None, (), (
+        ("session", "handle", "mien_session", (), True, ""),
+    )),
+    "mien_cancel_create": (ctypes.c_int32, (), (
+        ("out", "handle_out", "mien_cancel", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_cancel_request": (None, (), (
+        ("cancel", "handle", "mien_cancel", (), True, ""),
+    )),
+    "mien_cancel_release": (None, (), (
+        ("cancel", "handle", "mien_cancel", (), True, ""),
+    )),
+    "mien_mesh_arrays_init": (None, (), (
+        ("arrays", "struct_out", "mien_mesh_arrays", (), False, ""),
+        ("struct_size", "struct_size", "size_t", (), False, ""),
+    )),
+    "mien_mesh_create": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("arrays", "struct", "mien_mesh_arrays", (), False, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_mesh_load": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("path", "text", "char", (), False, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_mesh_save": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("mesh", "handle", "mien_mesh", (), False, ""),
+        ("path", "text", "char", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_mesh_get_counts": (ctypes.c_int32, (), (
+        ("mesh", "handle", "mien_mesh", (), False, ""),
+        ("vertex_count", "scalar_out", "uint64_t", (), True, ""),
+        ("triangle_count", "scalar_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_mesh_get_positions": (ctypes.c_int32, (), (
+        ("mesh", "handle", "mien_mesh", (), False, ""),
+        ("dtype", "scalar", "mien_dtype", (), False, "DTYPE"),
+        ("dst", "array_out", "void", ('capacity', 3), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_mesh_get_triangles": (ctypes.c_int32, (), (
+        ("mesh", "handle", "mien_mesh", (), False, ""),
+        ("dst", "array_out", "uint32_t", ('capacity', 3), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_mesh_get_colors": (ctypes.c_int32, (), (
+        ("mesh", "handle", "mien_mesh", (), False, ""),
+        ("dst", "array_out", "uint8_t", ('capacity', 3), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_mesh_format_count": ("uint32_t", (), (
+    )),
+    "mien_mesh_format_extension": (ctypes.c_char_p, (), (
+        ("format", "scalar", "uint32_t", (), False, ""),
+    )),
+    "mien_mesh_format_description": (ctypes.c_char_p, (), (
+        ("format", "scalar", "uint32_t", (), False, ""),
+    )),
+    "mien_mesh_format_writes": ("int32_t", (), (
+        ("format", "scalar", "uint32_t", (), False, ""),
+    )),
+    "mien_mesh_get_texture": (ctypes.c_int32, (), (
+        ("mesh", "handle", "mien_mesh", (), False, ""),
+        ("dst", "array_out", "float", ('capacity', 2), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_mesh_get_texture_triangles": (ctypes.c_int32, (), (
+        ("mesh", "handle", "mien_mesh", (), False, ""),
+        ("dst", "array_out", "uint32_t", ('capacity', 3), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_mesh_get_triangle_materials": (ctypes.c_int32, (), (
+        ("mesh", "handle", "mien_mesh", (), False, ""),
+        ("dst", "array_out", "uint32_t", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_mesh_get_material_counts": (ctypes.c_int32, (), (
+        ("mesh", "handle", "mien_mesh", (), False, ""),
+        ("material_count", "scalar_out", "uint64_t", (), True, ""),
+        ("image_count", "scalar_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_mesh_get_material": (ctypes.c_int32, (), (
+        ("mesh", "handle", "mien_mesh", (), False, ""),
+        ("material", "scalar", "uint64_t", (), False, ""),
+        ("image", "scalar_out", "int32_t", (), True, ""),
+        ("red", "scalar_out", "double", (), True, ""),
+        ("green", "scalar_out", "double", (), True, ""),
+        ("blue", "scalar_out", "double", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_mesh_get_material_name": (ctypes.c_int32, (), (
+        ("mesh", "handle", "mien_mesh", (), False, ""),
+        ("material", "scalar", "uint64_t", (), False, ""),
+        ("dst", "text_out", "char", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_mesh_get_image_name": (ctypes.c_int32, (), (
+        ("mesh", "handle", "mien_mesh", (), False, ""),
+        ("image", "scalar", "uint64_t", (), False, ""),
+        ("dst", "text_out", "char", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_mesh_get_image_file": (ctypes.c_int32, (), (
+        ("mesh", "handle", "mien_mesh", (), False, ""),
+        ("image", "scalar", "uint64_t", (), False, ""),
+        ("dst", "array_out", "uint8_t", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_mesh_get_image_size": (ctypes.c_int32, (), (
+        ("mesh", "handle", "mien_mesh", (), False, ""),
+        ("image", "scalar", "uint64_t", (), False, ""),
+        ("width", "scalar_out", "uint32_t", (), True, ""),
+        ("height", "scalar_out", "uint32_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_mesh_get_image_pixels": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("mesh", "handle", "mien_mesh", (), False, ""),
+        ("image", "scalar", "uint64_t", (), False, ""),
+        ("row_stride_bytes", "scalar", "uint64_t", (), False, ""),
+        ("dst", "array_out", "uint8_t", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_mesh_save_targets": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("mesh", "handle", "mien_mesh", (), False, ""),
+        ("targets", "handles", "mien_mesh", ('target_count',), False, ""),
+        ("names", "texts", "char", ('target_count',), False, ""),
+        ("target_count", "count", "uint64_t", (), False, ""),
+        ("path", "text", "char", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_mesh_load_target": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("path", "text", "char", (), False, ""),
+        ("name", "text", "char", (), False, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_mesh_positions_view": (ctypes.c_int32, (), (
+        ("mesh", "handle", "mien_mesh", (), False, ""),
+        ("data", "view_out", "double", ('count', 3), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_mesh_retain": (None, (), (
+        ("mesh", "handle", "mien_mesh", (), True, ""),
+    )),
+    "mien_mesh_release": (None, (), (
+        ("mesh", "handle", "mien_mesh", (), True, ""),
+    )),
+    "mien_spectral_basis_options_init": (None, (), (
+        ("options", "struct_out", "mien_spectral_basis_options", (), False, ""),
+        ("struct_size", "struct_size", "size_t", (), False, ""),
+    )),
+    "mien_spectral_basis_build": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("mean", "handle", "mien_mesh", (), False, ""),
+        ("options", "struct", "mien_spectral_basis_options", (), True, ""),
+        ("out", "handle_out", "mien_spectral_basis", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_spectral_basis_load": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("path", "text", "char", (), False, ""),
+        ("out", "handle_out", "mien_spectral_basis", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_spectral_basis_save": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("basis", "handle", "mien_spectral_basis", (), False, ""),
+        ("path", "text", "char", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_spectral_basis_get_counts": (ctypes.c_int32, (), (
+        ("basis", "handle", "mien_spectral_basis", (), False, ""),
+        ("vertex_count", "scalar_out", "uint64_t", (), True, ""),
+        ("mode_count", "scalar_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_spectral_basis_get_eigenvalues": (ctypes.c_int32, (), (
+        ("basis", "handle", "mien_spectral_basis", (), False, ""),
+        ("dst", "array_out", "double", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_spectral_basis_retain": (None, (), (
+        ("basis", "handle", "mien_spectral_basis", (), True, ""),
+    )),
+    "mien_spectral_basis_release": (None, (), (
+        ("basis", "handle", "mien_spectral_basis", (), True, ""),
+    )),
+    "mien_spectral_split": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("basis", "handle", "mien_spectral_basis", (), False, ""),
+        ("face", "handle", "mien_mesh", (), False, ""),
+        ("k", "scalar", "uint64_t", (), False, ""),
+        ("low", "handle_out", "mien_mesh", (), True, ""),
+        ("high", "handle_out", "mien_mesh", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_spectral_assemble": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("basis", "handle", "mien_spectral_basis", (), False, ""),
+        ("low", "handle", "mien_mesh", (), False, ""),
+        ("high", "handle", "mien_mesh", (), False, ""),
+        ("k", "scalar", "uint64_t", (), False, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_spectral_edit": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("basis", "handle", "mien_spectral_basis", (), False, ""),
+        ("face", "handle", "mien_mesh", (), False, ""),
+        ("limits", "array", "uint64_t", ('limit_count',), True, ""),
+        ("limit_count", "count", "uint64_t", (), False, ""),
+        ("gains", "array", "double", ('limit_count+1',), False, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_spectral_mix": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("basis", "handle", "mien_spectral_basis", (), False, ""),
+        ("first", "handle", "mien_mesh", (), False, ""),
+        ("second", "handle", "mien_mesh", (), False, ""),
+        ("limits", "array", "uint64_t", ('limit_count',), True, ""),
+        ("limit_count", "count", "uint64_t", (), False, ""),
+        ("weights", "array", "double", ('limit_count+1',), False, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_metric": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("metric", "scalar", "int32_t", (), False, "METRIC"),
+        ("reference", "handle", "mien_mesh", (), False, ""),
+        ("other", "handle", "mien_mesh", (), False, ""),
+        ("value", "scalar_out", "double", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_transfer_expression": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("source_neutral", "handle", "mien_mesh", (), False, ""),
+        ("source_expression", "handle", "mien_mesh", (), False, ""),
+        ("target_neutral", "handle", "mien_mesh", (), False, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_blendshape_options_init": (None, (), (
+        ("options", "struct_out", "mien_blendshape_options", (), False, ""),
+        ("struct_size", "struct_size", "size_t", (), False, ""),
+    )),
+    "mien_blendshape_model_train": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("dataset_path", "text", "char", (), False, ""),
+        ("expression", "text", "char", (), False, ""),
+        ("options", "struct", "mien_blendshape_options", (), True, ""),
+        ("out", "handle_out", "mien_blendshape_model", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_blendshape_model_load": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("path", "text", "char", (), False, ""),
+        ("out", "handle_out", "mien_blendshape_model", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_blendshape_model_save": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("model", "handle", "mien_blendshape_model", (), False, ""),
+        ("path", "text", "char", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_blendshape_model_get_mean": (ctypes.c_int32, (), (
+        ("model", "handle", "mien_blendshape_model", (), False, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_blendshape_model_predict": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("model", "handle", "mien_blendshape_model", (), False, ""),
+        ("basis", "handle", "mien_spectral_basis", (), True, ""),
+        ("k", "scalar", "uint64_t", (), False, ""),
+        ("neutral", "handle", "mien_mesh", (), False, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_blendshape_model_search": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("model", "handle", "mien_blendshape_model", (), False, ""),
+        ("basis", "handle", "mien_spectral_basis", (), False, ""),
+        ("dataset_path", "text", "char", (), False, ""),
+        ("expression", "text", "char", (), False, ""),
+        ("candidates", "array", "uint64_t", ('candidate_count',), False, ""),
+        ("candidate_count", "count", "uint32_t", (), False, ""),
+        ("options", "struct", "mien_blendshape_options", (), True, ""),
+        ("choices", "structs_out", "mien_band_choice", ('candidate_count',), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_blendshape_model_retain": (None, (), (
+        ("model", "handle", "mien_blendshape_model", (), True, ""),
+    )),
+    "mien_blendshape_model_release": (None, (), (
+        ("model", "handle", "mien_blendshape_model", (), True, ""),
+    )),
+    "mien_dataset_writer_create": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("topology", "handle", "mien_mesh", (), False, ""),
+        ("expression_names", "texts", "char", ('expression_count',), False, ""),
+        ("expression_count", "count", "uint32_t", (), False, ""),
+        ("out", "handle_out", "mien_dataset_writer", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_dataset_writer_add": (ctypes.c_int32, ('writer',), (
+        ("writer", "handle", "mien_dataset_writer", (), False, ""),
+        ("positions", "matrix", "mien_array_view", (3,), False, ""),
+        ("subject", "scalar", "int32_t", (), False, ""),
+        ("expression", "scalar", "int32_t", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_dataset_writer_save": (ctypes.c_int32, ('session', 'writer'), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("writer", "handle", "mien_dataset_writer", (), False, ""),
+        ("path", "text", "char", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_dataset_writer_release": (None, (), (
+        ("writer", "handle", "mien_dataset_writer", (), True, ""),
+    )),
+    "mien_model_options_init": (None, (), (
+        ("options", "struct_out", "mien_model_options", (), False, ""),
+        ("struct_size", "struct_size", "size_t", (), False, ""),
+    )),
+    "mien_model_build": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("template_mesh", "handle", "mien_mesh", (), False, ""),
+        ("options", "struct", "mien_model_options", (), True, ""),
+        ("out", "handle_out", "mien_model", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_model_load": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("path", "text", "char", (), False, ""),
+        ("out", "handle_out", "mien_model", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_model_load_memory": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("data", "bytes", "void", ('size',), False, ""),
+        ("size", "count", "uint64_t", (), False, ""),
+        ("out", "handle_out", "mien_model", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_model_load_trusted": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("path", "text", "char", (), False, ""),
+        ("out", "handle_out", "mien_model", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_model_save": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("model", "handle", "mien_model", (), False, ""),
+        ("path", "text", "char", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_model_get_counts": (ctypes.c_int32, (), (
+        ("model", "handle", "mien_model", (), False, ""),
+        ("vertex_count", "scalar_out", "uint64_t", (), True, ""),
+        ("scalar_modes", "scalar_out", "uint64_t", (), True, ""),
+        ("vector_modes", "scalar_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_model_get_json": (ctypes.c_int32, (), (
+        ("model", "handle", "mien_model", (), False, ""),
+        ("dst", "text_out", "char", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_model_get_variance": (ctypes.c_int32, (), (
+        ("model", "handle", "mien_model", (), False, ""),
+        ("dst", "array_out", "double", ('capacity', 3), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_model_sample": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("model", "handle", "mien_model", (), False, ""),
+        ("seed", "scalar", "uint64_t", (), False, ""),
+        ("index", "scalar", "uint64_t", (), False, ""),
+        ("strength", "scalar", "double", (), False, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_model_condition": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("model", "handle", "mien_model", (), False, ""),
+        ("observations", "structs", "mien_landmark_observation", ('observation_count',), False, ""),
+        ("observation_count", "count", "uint64_t", (), False, ""),
+        ("out", "handle_out", "mien_model", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_tune_options_init": (None, (), (
+        ("options", "struct_out", "mien_tune_options", (), False, ""),
+        ("struct_size", "struct_size", "size_t", (), False, ""),
+    )),
+    "mien_model_tune": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("template_mesh", "handle", "mien_mesh", (), False, ""),
+        ("dataset", "text", "char", (), False, ""),
+        ("options", "struct", "mien_tune_options", (), False, ""),
+        ("out", "handle_out", "mien_tuning", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_tuning_get_json": (ctypes.c_int32, (), (
+        ("tuning", "handle", "mien_tuning", (), False, ""),
+        ("dst", "text_out", "char", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_tuning_release": (None, (), (
+        ("tuning", "handle", "mien_tuning", (), True, ""),
+    )),
+    "mien_model_mesh": (ctypes.c_void_p, (), (
+        ("model", "handle", "mien_model", (), True, ""),
+    )),
+    "mien_model_retain": (None, (), (
+        ("model", "handle", "mien_model", (), True, ""),
+    )),
+    "mien_model_release": (None, (), (
+        ("model", "handle", "mien_model", (), True, ""),
+    )),
+    "mien_landmarks_load": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("path", "text", "char", (), False, ""),
+        ("out", "handle_out", "mien_landmarks", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_landmarks_create": (ctypes.c_int32, (), (
+        ("landmarks", "structs", "mien_scan_landmark", ('landmark_count',), True, ""),
+        ("landmark_count", "count", "uint64_t", (), False, ""),
+        ("out", "handle_out", "mien_landmarks", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_model_get_landmarks": (ctypes.c_int32, (), (
+        ("model", "handle", "mien_model", (), False, ""),
+        ("out", "handle_out", "mien_landmarks", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_landmarks_match": (ctypes.c_int32, (), (
+        ("landmarks", "handle", "mien_landmarks", (), False, ""),
+        ("model", "handle", "mien_model", (), False, ""),
+        ("out", "handle_out", "mien_landmarks", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_landmarks_on_mesh": (ctypes.c_int32, (), (
+        ("landmarks", "handle", "mien_landmarks", (), False, ""),
+        ("mesh", "handle", "mien_mesh", (), False, ""),
+        ("out", "handle_out", "mien_landmarks", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_landmarks_save": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("landmarks", "handle", "mien_landmarks", (), False, ""),
+        ("path", "text", "char", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_landmarks_get_counts": (ctypes.c_int32, (), (
+        ("landmarks", "handle", "mien_landmarks", (), False, ""),
+        ("count", "scalar_out", "uint64_t", (), True, ""),
+        ("picked_count", "scalar_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_landmarks_get_name": (ctypes.c_int32, (), (
+        ("landmarks", "handle", "mien_landmarks", (), False, ""),
+        ("index", "scalar", "uint64_t", (), False, ""),
+        ("dst", "text_out", "char", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_landmarks_get_mark": (ctypes.c_int32, (), (
+        ("landmarks", "handle", "mien_landmarks", (), False, ""),
+        ("index", "scalar", "uint64_t", (), False, ""),
+        ("where", "scalar_out", "int32_t", (), True, ""),
+        ("position", "scalar_out", "double", (), True, ""),
+        ("vertex", "scalar_out", "uint32_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_landmarks_get_json": (ctypes.c_int32, (), (
+        ("landmarks", "handle", "mien_landmarks", (), False, ""),
+        ("dst", "text_out", "char", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_landmarks_retain": (None, (), (
+        ("landmarks", "handle", "mien_landmarks", (), True, ""),
+    )),
+    "mien_landmarks_release": (None, (), (
+        ("landmarks", "handle", "mien_landmarks", (), True, ""),
+    )),
+    "mien_zones_load": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("path", "text", "char", (), False, ""),
+        ("out", "handle_out", "mien_zones", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_zones_create": (ctypes.c_int32, (), (
+        ("zones", "structs", "mien_zone", ('zone_count',), True, ""),
+        ("zone_count", "count", "uint64_t", (), False, ""),
+        ("out", "handle_out", "mien_zones", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_model_get_zones": (ctypes.c_int32, (), (
+        ("model", "handle", "mien_model", (), False, ""),
+        ("out", "handle_out", "mien_zones", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_zones_save": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("zones", "handle", "mien_zones", (), False, ""),
+        ("path", "text", "char", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_zones_get_count": (ctypes.c_int32, (), (
+        ("zones", "handle", "mien_zones", (), False, ""),
+        ("count", "scalar_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_zones_get_name": (ctypes.c_int32, (), (
+        ("zones", "handle", "mien_zones", (), False, ""),
+        ("index", "scalar", "uint64_t", (), False, ""),
+        ("dst", "text_out", "char", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_zones_get_vertices": (ctypes.c_int32, (), (
+        ("zones", "handle", "mien_zones", (), False, ""),
+        ("index", "scalar", "uint64_t", (), False, ""),
+        ("dst", "array_out", "uint32_t", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_zones_retain": (None, (), (
+        ("zones", "handle", "mien_zones", (), True, ""),
+    )),
+    "mien_zones_release": (None, (), (
+        ("zones", "handle", "mien_zones", (), True, ""),
+    )),
+    "mien_register_options_init": (None, (), (
+        ("options", "struct_out", "mien_register_options", (), False, ""),
+        ("struct_size", "struct_size", "size_t", (), False, ""),
+    )),
+    "mien_register": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("model", "handle", "mien_model", (), False, ""),
+        ("scan", "handle", "mien_mesh", (), False, ""),
+        ("options", "struct", "mien_register_options", (), True, ""),
+        ("out", "handle_out", "mien_registration", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_registration_mesh": (ctypes.c_void_p, (), (
+        ("registration", "handle", "mien_registration", (), True, ""),
+    )),
+    "mien_registration_get_verdict": (ctypes.c_int32, (), (
+        ("registration", "handle", "mien_registration", (), False, ""),
+        ("out", "struct_out", "mien_fit_verdict", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_registration_get_field": (ctypes.c_int32, (), (
+        ("registration", "handle", "mien_registration", (), False, ""),
+        ("field", "scalar", "int32_t", (), False, "REGISTRATION"),
+        ("dst", "array_out", "double", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_registration_get_correspondence": (ctypes.c_int32, (), (
+        ("registration", "handle", "mien_registration", (), False, ""),
+        ("triangles", "array_out", "uint32_t", ('capacity',), True, ""),
+        ("barycentric", "array_out", "double", ('capacity', 3), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_registration_get_motion": (ctypes.c_int32, (), (
+        ("registration", "handle", "mien_registration", (), False, ""),
+        ("matrix", "array_out", "double", (16,), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_registration_get_json": (ctypes.c_int32, (), (
+        ("registration", "handle", "mien_registration", (), False, ""),
+        ("dst", "text_out", "char", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_registration_retain": (None, (), (
+        ("registration", "handle", "mien_registration", (), True, ""),
+    )),
+    "mien_registration_release": (None, (), (
+        ("registration", "handle", "mien_registration", (), True, ""),
+    )),
+    "mien_surface_transfer_points": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("surface", "handle", "mien_mesh", (), False, ""),
+        ("points", "matrix", "mien_array_view", (3,), False, ""),
+        ("max_distance_mm", "scalar", "double", (), False, ""),
+        ("triangles", "array_out", "uint32_t", ('capacity',), True, ""),
+        ("barycentric", "array_out", "double", ('capacity', 3), True, ""),
+        ("positions", "array_out", "double", ('capacity', 3), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_surface_transfer_zone": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("from", "handle", "mien_mesh", (), False, ""),
+        ("vertices", "array", "uint32_t", ('vertex_count',), True, ""),
+        ("vertex_count", "count", "uint64_t", (), False, ""),
+        ("to", "handle", "mien_mesh", (), False, ""),
+        ("max_distance_mm", "scalar", "double", (), False, ""),
+        ("dst", "array_out", "uint32_t", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_surface_transfer_json": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("model", "handle", "mien_model", (), False, ""),
+        ("fitted", "handle", "mien_mesh", (), False, ""),
+        ("scan", "handle", "mien_mesh", (), False, ""),
+        ("what", "scalar", "int32_t", (), False, "TRANSFER"),
+        ("max_distance_mm", "scalar", "double", (), False, ""),
+        ("dst", "text_out", "char", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_expression_model_load": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("path", "text", "char", (), False, ""),
+        ("out", "handle_out", "mien_expression_model", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_expression_model_load_memory": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("data", "bytes", "void", ('size',), False, ""),
+        ("size", "count", "uint64_t", (), False, ""),
+        ("out", "handle_out", "mien_expression_model", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_expression_model_save": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("model", "handle", "mien_expression_model", (), False, ""),
+        ("path", "text", "char", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_expression_model_retain": (None, (), (
+        ("model", "handle", "mien_expression_model", (), True, ""),
+    )),
+    "mien_expression_model_release": (None, (), (
+        ("model", "handle", "mien_expression_model", (), True, ""),
+    )),
+    "mien_expression_model_get_counts": (ctypes.c_int32, (), (
+        ("model", "handle", "mien_expression_model", (), False, ""),
+        ("vertex_count", "scalar_out", "uint64_t", (), True, ""),
+        ("identity_modes", "scalar_out", "uint32_t", (), True, ""),
+        ("expression_modes", "scalar_out", "uint32_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_expression_model_get_json": (ctypes.c_int32, (), (
+        ("model", "handle", "mien_expression_model", (), False, ""),
+        ("dst", "text_out", "char", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_expression_model_synthesize": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("model", "handle", "mien_expression_model", (), False, ""),
+        ("identity", "matrix", "mien_array_view", (1,), True, ""),
+        ("expression", "matrix", "mien_array_view", (1,), True, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_expression_model_sample": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("model", "handle", "mien_expression_model", (), False, ""),
+        ("seed", "scalar", "uint64_t", (), False, ""),
+        ("expression", "text", "char", (), True, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_neutralize_options_init": (None, (), (
+        ("options", "struct_out", "mien_neutralize_options", (), False, ""),
+        ("struct_size", "struct_size", "size_t", (), False, ""),
+    )),
+    "mien_neutralize": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("model", "handle", "mien_expression_model", (), False, ""),
+        ("fitted", "handle", "mien_registration", (), False, ""),
+        ("options", "struct", "mien_neutralize_options", (), True, ""),
+        ("out", "handle_out", "mien_neutralization", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_neutralize_mesh": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("model", "handle", "mien_expression_model", (), False, ""),
+        ("face", "handle", "mien_mesh", (), False, ""),
+        ("options", "struct", "mien_neutralize_options", (), True, ""),
+        ("out", "handle_out", "mien_neutralization", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_neutralization_mesh": (ctypes.c_void_p, (), (
+        ("neutralization", "handle", "mien_neutralization", (), True, ""),
+    )),
+    "mien_neutralization_get_counts": (ctypes.c_int32, (), (
+        ("neutralization", "handle", "mien_neutralization", (), False, ""),
+        ("vertex_count", "scalar_out", "uint64_t", (), True, ""),
+        ("identity_modes", "scalar_out", "uint32_t", (), True, ""),
+        ("expression_modes", "scalar_out", "uint32_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_neutralization_get_coordinates": (ctypes.c_int32, (), (
+        ("neutralization", "handle", "mien_neutralization", (), False, ""),
+        ("identity", "array_out", "double", ('counts.identity_modes',), True, ""),
+        ("expression", "array_out", "double", ('counts.expression_modes',), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_neutralization_get_uncertainty": (ctypes.c_int32, (), (
+        ("neutralization", "handle", "mien_neutralization", (), False, ""),
+        ("dst", "array_out", "double", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_neutralization_get_json": (ctypes.c_int32, (), (
+        ("neutralization", "handle", "mien_neutralization", (), False, ""),
+        ("dst", "text_out", "char", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_neutralization_release": (None, (), (
+        ("neutralization", "handle", "mien_neutralization", (), True, ""),
+    )),
+    "mien_neutralization_apply_to_scan": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("neutralization", "handle", "mien_neutralization", (), False, ""),
+        ("scan", "handle", "mien_mesh", (), False, ""),
+        ("max_distance_mm", "scalar", "double", (), False, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_expression_model_transfer": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("model", "handle", "mien_expression_model", (), False, ""),
+        ("source", "handle", "mien_neutralization", (), False, ""),
+        ("target", "handle", "mien_neutralization", (), False, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_evaluate_options_init": (None, (), (
+        ("options", "struct_out", "mien_evaluate_options", (), False, ""),
+        ("struct_size", "struct_size", "size_t", (), False, ""),
+    )),
+    "mien_evaluate_neutralization": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("model", "handle", "mien_expression_model", (), False, ""),
+        ("dataset_path", "text", "char", (), False, ""),
+        ("options", "struct", "mien_evaluate_options", (), True, ""),
+        ("out", "handle_out", "mien_evaluation", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_evaluation_get_json": (ctypes.c_int32, (), (
+        ("evaluation", "handle", "mien_evaluation", (), False, ""),
+        ("dst", "text_out", "char", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_evaluation_release": (None, (), (
+        ("evaluation", "handle", "mien_evaluation", (), True, ""),
+    )),
+    "mien_hierarchy_build_quadric": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("mesh", "handle", "mien_mesh", (), False, ""),
+        ("level_count", "scalar", "uint32_t", (), False, ""),
+        ("factor", "scalar", "double", (), False, ""),
+        ("out", "handle_out", "mien_hierarchy", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_hierarchy_build_connectivity": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("mesh", "handle", "mien_mesh", (), False, ""),
+        ("level_count", "scalar", "uint32_t", (), False, ""),
+        ("stride", "scalar", "uint32_t", (), False, ""),
+        ("radius", "scalar", "uint32_t", (), False, ""),
+        ("out", "handle_out", "mien_hierarchy", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_hierarchy_load": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("path", "text", "char", (), False, ""),
+        ("out", "handle_out", "mien_hierarchy", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_hierarchy_save": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("hierarchy", "handle", "mien_hierarchy", (), False, ""),
+        ("path", "text", "char", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_hierarchy_get_level_count": (ctypes.c_int32, (), (
+        ("hierarchy", "handle", "mien_hierarchy", (), False, ""),
+        ("level_count", "scalar_out", "uint32_t", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_hierarchy_get_level": (ctypes.c_int32, (), (
+        ("hierarchy", "handle", "mien_hierarchy", (), False, ""),
+        ("level", "scalar", "uint32_t", (), False, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_hierarchy_apply": (ctypes.c_int32, (), (
+        ("hierarchy", "handle", "mien_hierarchy", (), False, ""),
+        ("level", "scalar", "uint32_t", (), False, ""),
+        ("direction", "scalar", "int32_t", (), False, "MAP"),
+        ("values", "array", "double", ('row_count', 'channel_count'), False, ""),
+        ("row_count", "count", "uint64_t", (), False, ""),
+        ("channel_count", "scalar", "uint64_t", (), False, ""),
+        ("dst", "array_out", "double", ('capacity', 'channel_count'), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_hierarchy_retain": (None, (), (
+        ("hierarchy", "handle", "mien_hierarchy", (), True, ""),
+    )),
+    "mien_hierarchy_release": (None, (), (
+        ("hierarchy", "handle", "mien_hierarchy", (), True, ""),
+    )),
+    "mien_measure_options_init": (None, (), (
+        ("options", "struct_out", "mien_measure_options", (), False, ""),
+        ("struct_size", "struct_size", "size_t", (), False, ""),
+    )),
+    "mien_measure_volume": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("before", "handle", "mien_mesh", (), False, ""),
+        ("after", "handle", "mien_mesh", (), False, ""),
+        ("options", "struct", "mien_measure_options", (), True, ""),
+        ("out", "handle_out", "mien_measurement", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_measure_distance": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("before", "handle", "mien_mesh", (), False, ""),
+        ("after", "handle", "mien_mesh", (), False, ""),
+        ("options", "struct", "mien_measure_options", (), True, ""),
+        ("out", "handle_out", "mien_measurement", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_measure_surface_distance": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("before", "handle", "mien_mesh", (), False, ""),
+        ("after", "handle", "mien_mesh", (), False, ""),
+        ("options", "struct", "mien_measure_options", (), True, ""),
+        ("out", "handle_out", "mien_measurement", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_measure_closed_volume": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("mesh", "handle", "mien_mesh", (), False, ""),
+        ("close_rims", "scalar", "int32_t", (), False, ""),
+        ("volume_ml", "scalar_out", "double", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_measure_area": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("mesh", "handle", "mien_mesh", (), False, ""),
+        ("zone", "struct", "mien_zone", (), True, ""),
+        ("area_mm2", "scalar_out", "double", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_measure_curvature": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("mesh", "handle", "mien_mesh", (), False, ""),
+        ("radius_mm", "scalar", "double", (), False, ""),
+        ("robust", "scalar", "int32_t", (), False, ""),
+        ("options", "struct", "mien_measure_options", (), True, ""),
+        ("out", "handle_out", "mien_measurement", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_measure_lengths": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("mesh", "handle", "mien_mesh", (), False, ""),
+        ("pairs", "array", "uint32_t", ('pair_count', 2), False, ""),
+        ("pair_count", "count", "uint64_t", (), False, ""),
+        ("straight_mm", "array_out", "double", ('pair_count',), True, ""),
+        ("geodesic_mm", "array_out", "double", ('pair_count',), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_measure_scan_volume": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("before", "handle", "mien_mesh", (), False, ""),
+        ("after", "handle", "mien_mesh", (), False, ""),
+        ("carry", "scalar", "int32_t", (), False, "CARRY"),
+        ("direction", "array", "double", (3,), True, ""),
+        ("options", "struct", "mien_measure_options", (), True, ""),
+        ("coverage", "scalar_out", "double", (), True, ""),
+        ("out", "handle_out", "mien_measurement", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_measure_align": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("moving", "handle", "mien_mesh", (), False, ""),
+        ("target", "handle", "mien_mesh", (), False, ""),
+        ("stable", "struct", "mien_zone", (), True, ""),
+        ("info", "struct_out", "mien_zone_alignment", (), True, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_measurement_get_zones": (ctypes.c_int32, (), (
+        ("measurement", "handle", "mien_measurement", (), False, ""),
+        ("zone_count", "scalar_out", "uint32_t", (), True, ""),
+        ("zones_disjoint", "scalar_out", "int32_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_measurement_get_volume": (ctypes.c_int32, (), (
+        ("measurement", "handle", "mien_measurement", (), False, ""),
+        ("zone", "scalar", "int32_t", (), False, ""),
+        ("out", "struct_out", "mien_zone_volume", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_measurement_get_distance": (ctypes.c_int32, (), (
+        ("measurement", "handle", "mien_measurement", (), False, ""),
+        ("zone", "scalar", "int32_t", (), False, ""),
+        ("out", "struct_out", "mien_zone_distance", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_measurement_get_field": (ctypes.c_int32, (), (
+        ("measurement", "handle", "mien_measurement", (), False, ""),
+        ("field", "scalar", "int32_t", (), False, "FIELD"),
+        ("dst", "array_out", "double", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_measurement_get_json": (ctypes.c_int32, (), (
+        ("measurement", "handle", "mien_measurement", (), False, ""),
+        ("dst", "text_out", "char", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_measurement_release": (None, (), (
+        ("measurement", "handle", "mien_measurement", (), True, ""),
+    )),
+    "mien_mesh_inspect": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("mesh", "handle", "mien_mesh", (), False, ""),
+        ("dst", "text_out", "char", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_mesh_clean": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("mesh", "handle", "mien_mesh", (), False, ""),
+        ("min_triangles", "scalar", "uint64_t", (), False, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_mesh_transform": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("mesh", "handle", "mien_mesh", (), False, ""),
+        ("matrix", "array", "double", (16,), False, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_mesh_turn_over": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("mesh", "handle", "mien_mesh", (), False, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_mesh_decimate": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("mesh", "handle", "mien_mesh", (), False, ""),
+        ("vertex_count", "scalar", "uint64_t", (), False, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_mesh_check_same_unit": (ctypes.c_int32, (), (
+        ("first", "handle", "mien_mesh", (), False, ""),
+        ("second", "handle", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_representation_train": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("dataset_path", "text", "char", (), False, ""),
+        ("kind", "scalar", "int32_t", (), False, "FEATURES"),
+        ("neutral_only", "scalar", "int32_t", (), False, ""),
+        ("out", "handle_out", "mien_representation", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_representation_options_init": (None, (), (
+        ("options", "struct_out", "mien_representation_options", (), False, ""),
+        ("struct_size", "struct_size", "size_t", (), False, ""),
+    )),
+    "mien_representation_train_with_options": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("dataset_path", "text", "char", (), False, ""),
+        ("kind", "scalar", "int32_t", (), False, "FEATURES"),
+        ("options", "struct", "mien_representation_options", (), True, ""),
+        ("out", "handle_out", "mien_representation", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_representation_load": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("path", "text", "char", (), False, ""),
+        ("out", "handle_out", "mien_representation", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_representation_save": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("representation", "handle", "mien_representation", (), False, ""),
+        ("path", "text", "char", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_representation_get_counts": (ctypes.c_int32, (), (
+        ("representation", "handle", "mien_representation", (), False, ""),
+        ("vertex_count", "scalar_out", "uint64_t", (), True, ""),
+        ("channel_count", "scalar_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_representation_encode": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("representation", "handle", "mien_representation", (), False, ""),
+        ("face", "handle", "mien_mesh", (), False, ""),
+        ("motion", "array_out", "double", (12,), True, ""),
+        ("dst", "array_out", "double", ('capacity', 'counts.channel_count'), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_representation_decode": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("representation", "handle", "mien_representation", (), False, ""),
+        ("features", "array", "double", ('row_count', 'counts.channel_count'), False, ""),
+        ("row_count", "count", "uint64_t", (), False, ""),
+        ("motion", "array", "double", (12,), True, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_representation_retain": (None, (), (
+        ("representation", "handle", "mien_representation", (), True, ""),
+    )),
+    "mien_representation_release": (None, (), (
+        ("representation", "handle", "mien_representation", (), True, ""),
+    )),
+    "mien_score_options_init": (None, (), (
+        ("options", "struct_out", "mien_score_options", (), False, ""),
+        ("struct_size", "struct_size", "size_t", (), False, ""),
+    )),
+    "mien_score_model_train": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("dataset_path", "text", "char", (), False, ""),
+        ("grades", "array", "double", ('grade_count',), False, ""),
+        ("grade_count", "count", "uint64_t", (), False, ""),
+        ("options", "struct", "mien_score_options", (), True, ""),
+        ("out", "handle_out", "mien_score_model", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_score_model_load": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("path", "text", "char", (), False, ""),
+        ("out", "handle_out", "mien_score_model", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_score_model_save": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("model", "handle", "mien_score_model", (), False, ""),
+        ("path", "text", "char", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_score_model_predict": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("model", "handle", "mien_score_model", (), False, ""),
+        ("face", "handle", "mien_mesh", (), False, ""),
+        ("out", "struct_out", "mien_score_prediction", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_score_model_simulate": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("model", "handle", "mien_score_model", (), False, ""),
+        ("face", "handle", "mien_mesh", (), True, ""),
+        ("target", "scalar", "double", (), False, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_score_model_get_latent": (ctypes.c_int32, (), (
+        ("model", "handle", "mien_score_model", (), False, ""),
+        ("component", "scalar", "int32_t", (), False, ""),
+        ("dst", "array_out", "double", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_score_model_get_json": (ctypes.c_int32, (), (
+        ("model", "handle", "mien_score_model", (), False, ""),
+        ("dst", "text_out", "char", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_score_model_retain": (None, (), (
+        ("model", "handle", "mien_score_model", (), True, ""),
+    )),
+    "mien_score_model_release": (None, (), (
+        ("model", "handle", "mien_score_model", (), True, ""),
+    )),
+    "mien_statistics_agreement": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("ratings", "array", "int32_t", ('subject_count', 'rater_count'), False, ""),
+        ("subject_count", "count", "uint64_t", (), False, ""),
+        ("rater_count", "scalar", "uint32_t", (), False, ""),
+        ("grade_count", "scalar", "int32_t", (), False, ""),
+        ("dst", "text_out", "char", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_statistics_repeatability": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("values", "array", "double", ('value_count',), True, ""),
+        ("subjects", "array", "int32_t", ('value_count',), False, ""),
+        ("value_count", "count", "uint64_t", (), False, ""),
+        ("blanks", "array", "double", ('blank_count',), True, ""),
+        ("blank_count", "count", "uint64_t", (), False, ""),
+        ("dst", "text_out", "char", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_statistics_bland_altman": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("first", "array", "double", ('value_count',), False, ""),
+        ("second", "array", "double", ('value_count',), False, ""),
+        ("value_count", "count", "uint64_t", (), False, ""),
+        ("dst", "text_out", "char", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_series_options_init": (None, (), (
+        ("options", "struct_out", "mien_series_options", (), False, ""),
+        ("struct_size", "struct_size", "size_t", (), False, ""),
+    )),
+    "mien_neutralize_series": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("model", "handle", "mien_expression_model", (), False, ""),
+        ("faces", "handles", "mien_mesh", ('face_count',), False, ""),
+        ("face_count", "count", "uint32_t", (), False, ""),
+        ("options", "struct", "mien_series_options", (), True, ""),
+        ("out", "handle_out", "mien_series", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_series_get_mesh": (ctypes.c_int32, (), (
+        ("series", "handle", "mien_series", (), False, ""),
+        ("index", "scalar", "int32_t", (), False, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_series_get_json": (ctypes.c_int32, (), (
+        ("series", "handle", "mien_series", (), False, ""),
+        ("dst", "text_out", "char", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_series_release": (None, (), (
+        ("series", "handle", "mien_series", (), True, ""),
+    )),
+    "mien_template_check": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("template_mesh", "handle", "mien_mesh", (), False, ""),
+        ("landmarks", "handle", "mien_landmarks", (), True, ""),
+        ("mirror", "scalar", "int32_t", (), False, ""),
+        ("dst", "text_out", "char", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_train_options_init": (None, (), (
+        ("options", "struct_out", "mien_train_options", (), False, ""),
+        ("struct_size", "struct_size", "size_t", (), False, ""),
+    )),
+    "mien_expression_model_train": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("dataset_path", "text", "char", (), False, ""),
+        ("options", "struct", "mien_train_options", (), True, ""),
+        ("out", "handle_out", "mien_expression_model", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_shard_options_init": (None, (), (
+        ("options", "struct_out", "mien_shard_options", (), False, ""),
+        ("struct_size", "struct_size", "size_t", (), False, ""),
+    )),
+    "mien_expression_shard_create": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("dataset_path", "text", "char", (), False, ""),
+        ("options", "struct", "mien_shard_options", (), True, ""),
+        ("shard_path", "text", "char", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_expression_model_merge": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("shard_paths", "texts", "char", ('shard_count',), False, ""),
+        ("shard_count", "count", "uint32_t", (), False, ""),
+        ("options", "struct", "mien_train_options", (), True, ""),
+        ("out", "handle_out", "mien_expression_model", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_visits_options_init": (None, (), (
+        ("options", "struct_out", "mien_visits_options", (), False, ""),
+        ("struct_size", "struct_size", "size_t", (), False, ""),
+    )),
+    "mien_neutralize_visits": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("model", "handle", "mien_expression_model", (), False, ""),
+        ("faces", "handles", "mien_mesh", ('face_count',), False, ""),
+        ("face_count", "count", "uint32_t", (), False, ""),
+        ("options", "struct", "mien_visits_options", (), True, ""),
+        ("out", "handle_out", "mien_visits", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_visits_get_mesh": (ctypes.c_int32, (), (
+        ("visits", "handle", "mien_visits", (), False, ""),
+        ("index", "scalar", "int32_t", (), False, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_visits_get_expression": (ctypes.c_int32, (), (
+        ("visits", "handle", "mien_visits", (), False, ""),
+        ("index", "scalar", "int32_t", (), False, ""),
+        ("dst", "text_out", "char", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_visits_get_removed_volume": (ctypes.c_int32, (), (
+        ("visits", "handle", "mien_visits", (), False, ""),
+        ("first", "scalar", "int32_t", (), False, ""),
+        ("second", "scalar", "int32_t", (), False, ""),
+        ("zone", "struct", "mien_zone", (), True, ""),
+        ("removed_ml", "scalar_out", "double", (), True, ""),
+        ("sd_ml", "scalar_out", "double", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_visits_release": (None, (), (
+        ("visits", "handle", "mien_visits", (), True, ""),
+    )),
+}
+
+NUMBERS = {
+    "mien_status": (ctypes.c_int32, "int32"),
+    "mien_dtype": (ctypes.c_int32, "int32"),
+    "int32_t": (ctypes.c_int32, "int32"),
+    "uint32_t": (ctypes.c_uint32, "uint32"),
+    "int64_t": (ctypes.c_int64, "int64"),
+    "uint64_t": (ctypes.c_uint64, "uint64"),
+    "uint8_t": (ctypes.c_uint8, "uint8"),
+    "double": (ctypes.c_double, "float64"),
+    "float": (ctypes.c_float, "float32"),
+    "size_t": (ctypes.c_size_t, "uint64"),
 }

@@ -190,7 +190,7 @@ class Neutralization {
         mien_neutralization* neutralization = nullptr;
         bridge.call(mien_neutralize_mesh, session.get(), model.get(), face.get(), &options,
                     &neutralization);
-        adopt(model, neutralization);
+        adopt(neutralization);
     }
     Neutralization(const Session& session, const ExpressionModel& model, const Registration& fitted,
                    NeutralizeOptions options = {}, const Progress& progress = {}) {
@@ -199,7 +199,7 @@ class Neutralization {
         mien_neutralization* neutralization = nullptr;
         bridge.call(mien_neutralize, session.get(), model.get(), fitted.get(), &options,
                     &neutralization);
-        adopt(model, neutralization);
+        adopt(neutralization);
     }
     /// The scan that the face was fitted to, its own vertices moved; 0: the default distance.
     Mesh apply_to_scan(const Session& session, const Mesh& scan, double max_distance_mm = 0) const {
@@ -231,10 +231,13 @@ class Neutralization {
     mien_neutralization* get() const noexcept { return handle_.get(); }
 
   private:
-    void adopt(const ExpressionModel& model, mien_neutralization* neutralization) {
+    void adopt(mien_neutralization* neutralization) {
         handle_.reset(neutralization);
-        identity_.resize(model.identity_modes());
-        expression_.resize(model.expression_modes());
+        std::uint32_t identity_modes = 0, expression_modes = 0;
+        detail::call(mien_neutralization_get_counts, get(), nullptr, &identity_modes,
+                     &expression_modes);
+        identity_.resize(identity_modes);
+        expression_.resize(expression_modes);
         detail::call(mien_neutralization_get_coordinates, get(), identity_.data(),
                      expression_.data());
     }

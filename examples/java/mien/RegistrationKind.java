@@ -1,0 +1,19 @@
+package mien;
+
+// Written by abi/generate_bindings.py.
+/** Fields with one value per template vertex. Plain numbers: newer libraries may have more. */
+public final class RegistrationKind {
+    private RegistrationKind() {}
+
+    /** signed distance to the scan, positive: the scan lies outside */
+    public static final int RESIDUAL_MM = 1;
+
+    /** in [0, 1]: how much of the scan's say counted */
+    public static final int WEIGHT = 2;
+
+    /** of the place, per axis (root mean square) */
+    public static final int STANDARD_DEVIATION_MM = 3;
+
+    /** the true place lies within, 95 times out of 100 */
+    public static final int RADIUS95_MM = 4;
+}
