@@ -5,7 +5,7 @@ ProgressFn = ctypes.CFUNCTYPE(ctypes.c_int32, ctypes.c_void_p, ctypes.c_int32, c
 LogFn = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_int32, ctypes.c_char_p)
 
 ABI_VERSION = 0
-VERSION = "0.1.0"
+VERSION = "0.2.0"
 
 
 class Error(ctypes.Structure):
@@ -425,6 +425,64 @@ class SeriesOptions(ctypes.Structure):
     ]
 
 
+class StudyOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("reserved", ctypes.c_uint32),
+        ("zones", ctypes.c_void_p),
+        ("zone_count", ctypes.c_uint64),
+        ("treated_zones", ctypes.c_void_p),
+        ("treated_count", ctypes.c_uint64),
+        ("stable_zones", ctypes.c_void_p),
+        ("stable_count", ctypes.c_uint64),
+        ("visits", ctypes.c_void_p),
+        ("visit_number_count", ctypes.c_uint64),
+        ("margin_mm", ctypes.c_double),
+        ("level", ctypes.c_double),
+        ("noise_mm", ctypes.c_double),
+        ("correlation_length_mm", ctypes.c_double),
+        ("common_bias_mm", ctypes.c_double),
+        ("untrained_share", ctypes.c_double),
+        ("min_seen_share", ctypes.c_double),
+        ("progress", ProgressFn),
+        ("progress_user", ctypes.c_void_p),
+        ("cancel", ctypes.c_void_p),
+    ]
+
+
+class StudyValue(ctypes.Structure):
+    _fields_ = [
+        ("value", ctypes.c_double),
+        ("sd", ctypes.c_double),
+        ("low", ctypes.c_double),
+        ("high", ctypes.c_double),
+        ("limit_of_detection", ctypes.c_double),
+    ]
+
+
+class StudyChange(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("unknown", ctypes.c_int32),
+        ("signed_ml", StudyValue),
+        ("gained_ml", StudyValue),
+        ("lost_ml", StudyValue),
+        ("absolute_ml", StudyValue),
+        ("area_change_mm2", StudyValue),
+        ("mean_distance_mm", StudyValue),
+        ("surface_sd_ml", ctypes.c_double),
+        ("alignment_sd_ml", ctypes.c_double),
+        ("bias_sd_ml", ctypes.c_double),
+        ("expression_sd_ml", ctypes.c_double),
+        ("expression_removed_ml", ctypes.c_double),
+        ("seen_share", ctypes.c_double),
+        ("area_before_mm2", ctypes.c_double),
+        ("area_after_mm2", ctypes.c_double),
+        ("detected", ctypes.c_int32),
+        ("reserved", ctypes.c_uint32),
+    ]
+
+
 class TrainOptions(ctypes.Structure):
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
@@ -808,6 +866,55 @@ STRUCTS = {
         ("progress_user", "user", "void", (), ""),
         ("cancel", "handle", "mien_cancel", (), ""),
         ("weights", "matrix", "mien_array_view", (1,), ""),
+    ),
+    "mien_study_options": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("reserved", "reserved", "uint32_t", (), ""),
+        ("zones", "structs", "mien_zone", ('zone_count',), ""),
+        ("zone_count", "count", "uint64_t", (), ""),
+        ("treated_zones", "texts", "char", ('treated_count',), ""),
+        ("treated_count", "count", "uint64_t", (), ""),
+        ("stable_zones", "texts", "char", ('stable_count',), ""),
+        ("stable_count", "count", "uint64_t", (), ""),
+        ("visits", "array", "int32_t", ('visit_number_count',), ""),
+        ("visit_number_count", "count", "uint64_t", (), ""),
+        ("margin_mm", "scalar", "double", (), ""),
+        ("level", "scalar", "double", (), ""),
+        ("noise_mm", "scalar", "double", (), ""),
+        ("correlation_length_mm", "scalar", "double", (), ""),
+        ("common_bias_mm", "scalar", "double", (), ""),
+        ("untrained_share", "scalar", "double", (), ""),
+        ("min_seen_share", "scalar", "double", (), ""),
+        ("progress", "callback", "mien_progress_fn", (), ""),
+        ("progress_user", "user", "void", (), ""),
+        ("cancel", "handle", "mien_cancel", (), ""),
+    ),
+    "mien_study_value": (
+        ("value", "scalar", "double", (), ""),
+        ("sd", "scalar", "double", (), ""),
+        ("low", "scalar", "double", (), ""),
+        ("high", "scalar", "double", (), ""),
+        ("limit_of_detection", "scalar", "double", (), ""),
+    ),
+    "mien_study_change": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("unknown", "scalar", "int32_t", (), "STUDY"),
+        ("signed_ml", "struct", "mien_study_value", (), ""),
+        ("gained_ml", "struct", "mien_study_value", (), ""),
+        ("lost_ml", "struct", "mien_study_value", (), ""),
+        ("absolute_ml", "struct", "mien_study_value", (), ""),
+        ("area_change_mm2", "struct", "mien_study_value", (), ""),
+        ("mean_distance_mm", "struct", "mien_study_value", (), ""),
+        ("surface_sd_ml", "scalar", "double", (), ""),
+        ("alignment_sd_ml", "scalar", "double", (), ""),
+        ("bias_sd_ml", "scalar", "double", (), ""),
+        ("expression_sd_ml", "scalar", "double", (), ""),
+        ("expression_removed_ml", "scalar", "double", (), ""),
+        ("seen_share", "scalar", "double", (), ""),
+        ("area_before_mm2", "scalar", "double", (), ""),
+        ("area_after_mm2", "scalar", "double", (), ""),
+        ("detected", "scalar", "int32_t", (), ""),
+        ("reserved", "reserved", "uint32_t", (), ""),
     ),
     "mien_train_options": (
         ("struct_size", "struct_size", "uint32_t", (), ""),
@@ -1506,6 +1613,28 @@ FUNCTIONS = {
         ("count", "count_out", "uint64_t", (), True, ""),
         ("error", "error", "mien_error", (), True, ""),
     )),
+    "mien_registration_save": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("registration", "handle", "mien_registration", (), False, ""),
+        ("path", "text", "char", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_registration_load": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("path", "text", "char", (), False, ""),
+        ("out", "handle_out", "mien_registration", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_registration_create": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("mesh", "handle", "mien_mesh", (), False, ""),
+        ("weight", "matrix", "mien_array_view", (1,), True, ""),
+        ("residual", "matrix", "mien_array_view", (1,), True, ""),
+        ("standard_deviation", "matrix", "mien_array_view", (1,), True, ""),
+        ("quality", "scalar", "int32_t", (), False, "QUALITY"),
+        ("out", "handle_out", "mien_registration", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
     "mien_registration_retain": (None, (), (
         ("registration", "handle", "mien_registration", (), True, ""),
     )),
@@ -2093,6 +2222,105 @@ FUNCTIONS = {
     )),
     "mien_series_release": (None, (), (
         ("series", "handle", "mien_series", (), True, ""),
+    )),
+    "mien_study_options_init": (None, (), (
+        ("options", "struct_out", "mien_study_options", (), False, ""),
+        ("struct_size", "struct_size", "size_t", (), False, ""),
+    )),
+    "mien_study_create": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("registrations", "handles", "mien_registration", ('registration_count',), False, ""),
+        ("registration_count", "count", "uint32_t", (), False, ""),
+        ("expressions", "handle", "mien_expression_model", (), True, ""),
+        ("options", "struct", "mien_study_options", (), True, ""),
+        ("out", "handle_out", "mien_study", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_study_create_from_meshes": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("faces", "handles", "mien_mesh", ('face_count',), False, ""),
+        ("face_count", "count", "uint32_t", (), False, ""),
+        ("normal_sd", "matrix", "mien_array_view", (1,), True, ""),
+        ("weights", "matrix", "mien_array_view", (1,), True, ""),
+        ("expressions", "handle", "mien_expression_model", (), True, ""),
+        ("options", "struct", "mien_study_options", (), True, ""),
+        ("out", "handle_out", "mien_study", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_study_get_counts": (ctypes.c_int32, (), (
+        ("study", "handle", "mien_study", (), False, ""),
+        ("visit_count", "scalar_out", "uint32_t", (), True, ""),
+        ("zone_count", "scalar_out", "uint32_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_study_get_zone_name": (ctypes.c_int32, (), (
+        ("study", "handle", "mien_study", (), False, ""),
+        ("zone", "scalar", "int32_t", (), False, ""),
+        ("dst", "text_out", "char", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_study_get_expression": (ctypes.c_int32, (), (
+        ("study", "handle", "mien_study", (), False, ""),
+        ("visit", "scalar", "int32_t", (), False, ""),
+        ("dst", "text_out", "char", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_study_get_mesh": (ctypes.c_int32, (), (
+        ("study", "handle", "mien_study", (), False, ""),
+        ("visit", "scalar", "int32_t", (), False, ""),
+        ("frame", "scalar", "int32_t", (), False, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_study_get_field": (ctypes.c_int32, (), (
+        ("study", "handle", "mien_study", (), False, ""),
+        ("visit", "scalar", "int32_t", (), False, ""),
+        ("field", "scalar", "int32_t", (), False, "STUDY_FIELD"),
+        ("dst", "array_out", "double", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_study_get_distances": (ctypes.c_int32, (), (
+        ("study", "handle", "mien_study", (), False, ""),
+        ("first", "scalar", "int32_t", (), False, ""),
+        ("second", "scalar", "int32_t", (), False, ""),
+        ("dst", "array_out", "double", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_study_get_alignment": (ctypes.c_int32, (), (
+        ("study", "handle", "mien_study", (), False, ""),
+        ("first", "scalar", "int32_t", (), False, ""),
+        ("second", "scalar", "int32_t", (), False, ""),
+        ("out", "struct_out", "mien_zone_alignment", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_study_get_change": (ctypes.c_int32, (), (
+        ("study", "handle", "mien_study", (), False, ""),
+        ("first", "scalar", "int32_t", (), False, ""),
+        ("second", "scalar", "int32_t", (), False, ""),
+        ("zone", "scalar", "int32_t", (), False, ""),
+        ("out", "struct_out", "mien_study_change", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_study_get_json": (ctypes.c_int32, (), (
+        ("study", "handle", "mien_study", (), False, ""),
+        ("dst", "text_out", "char", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_study_retain": (None, (), (
+        ("study", "handle", "mien_study", (), True, ""),
+    )),
+    "mien_study_release": (None, (), (
+        ("study", "handle", "mien_study", (), True, ""),
     )),
     "mien_template_check": (ctypes.c_int32, ('session',), (
         ("session", "handle", "mien_session", (), False, ""),

@@ -97,6 +97,13 @@ __all__ = [
     "Stage",
     "Start",
     "Status",
+    "Study",
+    "StudyChange",
+    "StudyCounts",
+    "StudyField",
+    "StudyKind",
+    "StudyOptions",
+    "StudyValue",
     "SurfaceTransferPoints",
     "Train",
     "TrainOptions",
@@ -298,6 +305,8 @@ class RegistrationKind(enum.IntEnum):
     STANDARD_DEVIATION_MM = 3
     #: the true place lies within, 95 times out of 100
     RADIUS95_MM = 4
+    #: how far the surface may lie off the skin along its normal: what mien_measure_options wants. Since 0.2
+    NORMAL_DEVIATION_MM = 5
 
 
 class Transfer(enum.IntEnum):
@@ -383,6 +392,29 @@ class Pls(enum.IntEnum):
     """Which algorithm finds the latent variables; with one score both give the same regression."""
     NIPALS = 0
     SIMPLS = 1
+
+
+class StudyKind(enum.IntEnum):
+    """Why a change has no deviation."""
+    KNOWN = 0
+    #: too little of the zone was seen: no values either
+    UNSEEN = 1
+    #: the fit of one of the visits failed
+    FAILED_FIT = 2
+    #: a face came without deviations
+    NO_SURFACE_ERRORS = 3
+    #: the zone lies behind the expression model's rim
+    OUTSIDE_EXPRESSIONS = 4
+
+
+class StudyField(enum.IntEnum):
+    """Fields with one value per vertex of a visit's face."""
+    #: how far the fitted surface may lie off the skin
+    NORMAL_SD_MM = 1
+    #: in [0, 1]: how far the scan was seen there
+    WEIGHT = 2
+    #: of the expression that was taken off: root of the summed posterior variance of a place's coordinates
+    EXPRESSION_SD_MM = 3
 
 
 class Train(enum.IntEnum):
@@ -775,10 +807,11 @@ class MeasureOptions(_Options):
     skip_borders: int
     #: zone_count zones; null: the whole face only
     zones: Sequence[Zone] | None
-    #: #V, mm: deviation of each vertex along the normal; count 0: exact
+    #: #V, mm: deviation of each vertex along the normal, as MIEN_REGISTRATION_NORMAL_DEVIATION_MM tells it;
+    #: count 0: exact. Without that of either face there is no interval (since 0.2), whatever the alignment's
     before_sd: ArrayLike
     after_sd: ArrayLike
-    #: over which errors of a surface go together; default 10
+    #: over which errors of a surface go together; default 4, in 0.1: 10
     correlation_length_mm: float
     #: of the after face against the before face; default 0
     alignment_rotation_sd_rad: float
@@ -919,6 +952,90 @@ class SeriesOptions(_Options):
     expected_change_mm: float
     #: face_count x #V, face by face, >= 0: 0 where a scan had no data; count 0: all one.
     weights: ArrayLike
+
+
+class StudyOptions(_Options):
+    """mien_study_options of the C interface."""
+    _name = "mien_study_options"
+    #: zone_count zones to measure; null: those of the registrations' model
+    zones: Sequence[Zone] | None
+    #: treated_count names: where the person may have changed, no witness of expression or pose; null: none
+    treated_zones: Sequence[str] | None
+    #: stable_count names of zones to align on; null: all but the treated ones when zones are treated and
+    #: expressions taken off, otherwise "forehead" and "nose"; without any zone the whole face
+    stable_zones: Sequence[str] | None
+    #: visit_number_count numbers, the visit of each face, from 0 and ascending: several captures of one visit
+    #: tell the limits of detection; null: each face is a visit of its own
+    visits: ArrayLike | None
+    #: around the treated zones, 0 to 100, measured with them as zones of their own at the end; default 10
+    margin_mm: float
+    #: of the intervals, above 0 and below 1; default 0.95
+    level: float
+    #: of a scanner's surface along its normal, where it was seen; default 0.08
+    noise_mm: float
+    #: over which the errors of a fitted surface go together; default 4
+    correlation_length_mm: float
+    #: error common to all vertices; default 0.01
+    common_bias_mm: float
+    #: of the volume that an expression accounted for: what no training set knew of it; default 0.06
+    untrained_share: float
+    #: of a zone's area that both visits must have seen, 0 to 1; default 0.1
+    min_seen_share: float
+
+
+class StudyValue(_Record):
+    """A number with its error. NaN: not known."""
+    _name = "mien_study_value"
+    value: float
+    #: standard deviation
+    sd: float
+    #: of the interval at the study's level
+    low: float
+    #: of the interval at the study's level
+    high: float
+    #: a smaller size cannot be told from no change
+    limit_of_detection: float
+
+    def __init__(self, value: float = 0, sd: float = 0, low: float = 0, high: float = 0, limit_of_detection: float = 0) -> None:
+        self.value = value
+        self.sd = sd
+        self.low = low
+        self.high = high
+        self.limit_of_detection = limit_of_detection
+
+
+class StudyChange(_Record):
+    """What changed in one zone from one visit to another. Set struct_size first."""
+    _name = "mien_study_change"
+    #: MIEN_STUDY_*: why there is no deviation
+    unknown: StudyKind | int
+    #: gained and lost together; positive: gained
+    signed_ml: StudyValue
+    #: >= 0
+    gained_ml: StudyValue
+    #: <= 0
+    lost_ml: StudyValue
+    #: gained without lost
+    absolute_ml: StudyValue
+    area_change_mm2: StudyValue
+    #: along the normals of the first face; positive: outside
+    mean_distance_mm: StudyValue
+    #: of signed_ml.sd: by the fitted surfaces
+    surface_sd_ml: float
+    #: by the alignment on the stable zone
+    alignment_sd_ml: float
+    #: by the error common to all vertices
+    bias_sd_ml: float
+    #: by what taking the expressions off leaves open
+    expression_sd_ml: float
+    #: what the expressions accounted for, signed
+    expression_removed_ml: float
+    #: of the zone's area, in both visits; NaN: not told
+    seen_share: float
+    area_before_mm2: float
+    area_after_mm2: float
+    #: 1: signed_ml reaches its limit of detection, 0: below it, -1: no limit known
+    detected: int
 
 
 class TrainOptions(_Options):
@@ -1128,6 +1245,13 @@ class RepresentationEncode(NamedTuple):
     motion: numpy.ndarray
     #: rows of channel_count values.
     dst: numpy.ndarray
+
+
+class StudyCounts(NamedTuple):
+    #: may be left out.
+    visit_count: int
+    #: may be left out.
+    zone_count: int
 
 
 class VisitsRemovedVolume(NamedTuple):
@@ -2299,8 +2423,10 @@ class Registration(_Object):
     def field(self, field: RegistrationKind | int) -> numpy.ndarray:
         """Copies a field with one float64 per template vertex.
         field: one of MIEN_REGISTRATION_RESIDUAL_MM, MIEN_REGISTRATION_WEIGHT,
-        MIEN_REGISTRATION_STANDARD_DEVIATION_MM, MIEN_REGISTRATION_RADIUS95_MM.
-        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_NOT_FOUND (no such field).
+        MIEN_REGISTRATION_STANDARD_DEVIATION_MM, MIEN_REGISTRATION_RADIUS95_MM,
+        MIEN_REGISTRATION_NORMAL_DEVIATION_MM.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_NOT_FOUND (no such field, or it is not known of this
+        registration).
         C: mien_registration_get_field()
         """
         return _run("mien_registration_get_field", {"field": field, "registration": self})[0]
@@ -2329,6 +2455,40 @@ class Registration(_Object):
         C: mien_registration_get_json()
         """
         return _run("mien_registration_get_json", {"registration": self})[0]
+
+    def save(self, session: Session, path: Text) -> None:
+        """Keeps a registration as a file: the fitted template, its residuals, weights and deviations, the verdict and
+        the model's zones, so that visits can be registered today and studied in a year. The scan is not in it.
+        path: UTF-8; replaced whole.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_NO_MEMORY,
+        MIEN_E_CANCELLED.
+        C: mien_registration_save()
+        """
+        _run("mien_registration_save", {"session": session, "path": path, "registration": self})
+
+    @staticmethod
+    def load(session: Session, path: Text) -> Registration:
+        """Reads a registration that mien_registration_save() kept. It gives the same bits as the registration itself.
+        path: UTF-8.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT,
+        MIEN_E_WRONG_KIND, MIEN_E_UNSUPPORTED_VERSION, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH, MIEN_E_NO_MEMORY.
+        C: mien_registration_load()
+        """
+        return _run("mien_registration_load", {"session": session, "path": path})[0]
+
+    @staticmethod
+    def create(session: Session, mesh: Mesh, quality: Quality | int, weight: ArrayLike | None = None, residual: ArrayLike | None = None, standard_deviation: ArrayLike | None = None) -> Registration:
+        """A registration of a face that was fitted elsewhere, or whose arrays a host kept itself. What is not given
+        here is zero or empty in it.
+        mesh: the fitted template, mm.
+        weight: may be left out: not known; #V values, 0 to 1: how far the scan was seen there.
+        residual: may be left out: zero; #V values, mm: signed distance to the scan.
+        standard_deviation: may be left out: not known; #V values, mm, >= 0: of the place, per axis.
+        quality: MIEN_QUALITY_*: the verdict on the fit.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MISMATCH (lengths), MIEN_E_NO_MEMORY.
+        C: mien_registration_create()
+        """
+        return _run("mien_registration_create", {"session": session, "mesh": mesh, "quality": quality, "weight": weight, "residual": residual, "standard_deviation": standard_deviation})[0]
 
 
 class ExpressionModel(_Object):
@@ -2809,6 +2969,131 @@ class Series(_Object):
         return _run("mien_series_get_json", {"series": self})[0]
 
 
+class Study(_Object):
+    """Visits of one person: neutral faces and what changed between them. Immutable: share freely."""
+    _release = "mien_study_release"
+    _retain = "mien_study_retain"
+
+    def share(self) -> Study:
+        """One more object for the same native one: each may be closed by itself."""
+        return self._share()
+
+    @staticmethod
+    def create(session: Session, registrations: Sequence[Registration], expressions: ExpressionModel | None = None, options: StudyOptions | None = None, progress: Progress | None = None, cancel: Cancel | None = None) -> Study:
+        """Studies the visits of one person: takes the expressions off all faces together, aligns each visit on the
+        first by what holds still, and measures what changed per zone with its errors. One registration: its neutral
+        face and how surely it is known.
+        registrations: registration_count fits of one model, first visit first.
+        expressions: may be left out: faces are measured as they are held.
+        options: may be left out: defaults, with the zones of the registrations' model.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH
+        (topology, zones), MIEN_E_NOT_FOUND (a zone's name), MIEN_E_NO_SOLUTION, MIEN_E_UNSUPPORTED_OPTION,
+        MIEN_E_NO_MEMORY, MIEN_E_CANCELLED.
+        C: mien_study_create()
+        """
+        return _run("mien_study_create", {"session": session, "registrations": registrations, "expressions": expressions, "options": options}, progress=progress, cancel=cancel)[0]
+
+    @staticmethod
+    def create_from_meshes(session: Session, faces: Sequence[Mesh], normal_sd: ArrayLike | None = None, weights: ArrayLike | None = None, expressions: ExpressionModel | None = None, options: StudyOptions | None = None, progress: Progress | None = None, cancel: Cancel | None = None) -> Study:
+        """The same from meshes that were fitted elsewhere. Without deviations nothing is said of errors: sd, low, high
+        and limit_of_detection are NaN.
+        faces: face_count meshes in one topology, mm, first visit first.
+        normal_sd: may be left out; face_count x #V values, face by face, mm, >= 0: how far each surface may lie
+        off the skin along its normal.
+        weights: may be left out: all was seen, as far as is known; face_count x #V values, face by face, 0 to
+        1: 0 where a scan had no data.
+        expressions: may be left out: faces are measured as they are held.
+        options: may be left out: defaults, without any zone. noise_mm is not read.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH
+        (topology, zones, deviations, weights), MIEN_E_NOT_FOUND (a zone's name), MIEN_E_NO_SOLUTION,
+        MIEN_E_UNSUPPORTED_OPTION, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED.
+        C: mien_study_create_from_meshes()
+        """
+        return _run("mien_study_create_from_meshes", {"session": session, "faces": faces, "normal_sd": normal_sd, "weights": weights, "expressions": expressions, "options": options}, progress=progress, cancel=cancel)[0]
+
+    def counts(self) -> StudyCounts:
+        """How many visits and zones a study has. The treated zones with their margin are the last zones.
+        visit_count: may be left out.
+        zone_count: may be left out.
+        C: mien_study_get_counts()
+        """
+        return StudyCounts(*_run("mien_study_get_counts", {"study": self}))
+
+    def zone_name(self, zone: int) -> str:
+        """The name of a zone.
+        zone: 0 to zone_count - 1.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_NOT_FOUND (zone).
+        C: mien_study_get_zone_name()
+        """
+        return _run("mien_study_get_zone_name", {"zone": zone, "study": self})[0]
+
+    def expression(self, visit: int) -> str:
+        """The name of the expression that was taken off a visit.
+        visit: 0 to visit_count - 1.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_NOT_FOUND (visit).
+        C: mien_study_get_expression()
+        """
+        return _run("mien_study_get_expression", {"visit": visit, "study": self})[0]
+
+    def mesh(self, visit: int, frame: int) -> Mesh:
+        """The neutral face of a visit, in its own frame or aligned on another visit.
+        visit: 0 to visit_count - 1.
+        frame: the visit in whose frame to give it: its own number for its own frame.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_NOT_FOUND (a visit), MIEN_E_NO_SOLUTION, MIEN_E_NO_MEMORY.
+        C: mien_study_get_mesh()
+        """
+        return _run("mien_study_get_mesh", {"visit": visit, "frame": frame, "study": self})[0]
+
+    def field(self, visit: int, field: StudyField | int) -> numpy.ndarray:
+        """Copies a field with one float64 per vertex of a visit's face.
+        visit: 0 to visit_count - 1.
+        field: MIEN_STUDY_FIELD_*.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_NOT_FOUND (visit, or nothing is known of such a field).
+        C: mien_study_get_field()
+        """
+        return _run("mien_study_get_field", {"visit": visit, "field": field, "study": self})[0]
+
+    def distances(self, first: int, second: int) -> numpy.ndarray:
+        """How far each vertex moved between two visits: the signed distance of the second neutral face, aligned, from
+        the first along the first one's normals, mm.
+        first: 0 to visit_count - 1.
+        second: another visit.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (first is second), MIEN_E_NOT_FOUND (a visit),
+        MIEN_E_NO_SOLUTION, MIEN_E_NO_MEMORY.
+        C: mien_study_get_distances()
+        """
+        return _run("mien_study_get_distances", {"first": first, "second": second, "study": self})[0]
+
+    def alignment(self, first: int, second: int) -> ZoneAlignment:
+        """How the second visit was aligned on the first.
+        first: 0 to visit_count - 1.
+        second: another visit.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (first is second), MIEN_E_NOT_FOUND (a visit),
+        MIEN_E_NO_SOLUTION, MIEN_E_NO_MEMORY.
+        C: mien_study_get_alignment()
+        """
+        return _run("mien_study_get_alignment", {"first": first, "second": second, "study": self})[0]
+
+    def change(self, first: int, second: int, zone: int) -> StudyChange:
+        """What changed in a zone from one visit to another.
+        first: 0 to visit_count - 1.
+        second: another visit.
+        zone: 0 to zone_count - 1.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (first is second), MIEN_E_NOT_FOUND (a visit
+        or zone), MIEN_E_NO_SOLUTION, MIEN_E_NO_MEMORY.
+        C: mien_study_get_change()
+        """
+        return _run("mien_study_get_change", {"first": first, "second": second, "zone": zone, "study": self})[0]
+
+    def json(self) -> str:
+        """The study as a JSON object: "recipe" with every setting, "zones", and "visits" with the expression of each
+        and "changes_since_first" per zone.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_NO_MEMORY.
+        C: mien_study_get_json()
+        """
+        return _run("mien_study_get_json", {"study": self})[0]
+
+
 class Visits(_Object):
     """One person's faces at several visits, without their expressions. Immutable: share freely between threads."""
     _release = "mien_visits_release"
@@ -2860,7 +3145,7 @@ def version_number() -> int:
 
 
 def version_string() -> str:
-    """The library's version as text, e.g. "0.1.0".
+    """The library's version as text, e.g. "0.2.0".
     C: mien_version_string()
     """
     return _run("mien_version_string", {})
@@ -2877,5 +3162,5 @@ _enums = {"STATUS": Status, "STAGE": Stage, "LOG": Log, "DTYPE": Dtype, "MASS": 
 Cotangents, "METRIC": Metric, "KERNEL": KernelKind, "HEAT": Heat, "MARK": Mark, "GROWTH": Growth, "START":
 Start, "UNITS": Units, "QUALITY": Quality, "REGISTRATION": RegistrationKind, "TRANSFER": Transfer, "FIT":
 Fit, "POSE": Pose, "MAP": MapKind, "ZONE": ZoneKind, "FIELD": Field, "CARRY": Carry, "FEATURES": Features,
-"PLS": Pls, "TRAIN": Train}
+"PLS": Pls, "STUDY": StudyKind, "STUDY_FIELD": StudyField, "TRAIN": Train}
 _register_classes(globals())
