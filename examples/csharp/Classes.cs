@@ -201,6 +201,8 @@ namespace Mien
         StandardDeviationMm = 3,
         /// <summary>the true place lies within, 95 times out of 100</summary>
         Radius95Mm = 4,
+        /// <summary>how far the surface may lie off the skin along its normal: what mien_measure_options wants. Since 0.2</summary>
+        NormalDeviationMm = 5,
     }
 
     /// <summary>What mien_surface_transfer_json() carries over.</summary>
@@ -295,6 +297,31 @@ namespace Mien
     {
         Nipals = 0,
         Simpls = 1,
+    }
+
+    /// <summary>Why a change has no deviation.</summary>
+    public enum StudyKind
+    {
+        Known = 0,
+        /// <summary>too little of the zone was seen: no values either</summary>
+        Unseen = 1,
+        /// <summary>the fit of one of the visits failed</summary>
+        FailedFit = 2,
+        /// <summary>a face came without deviations</summary>
+        NoSurfaceErrors = 3,
+        /// <summary>the zone lies behind the expression model's rim</summary>
+        OutsideExpressions = 4,
+    }
+
+    /// <summary>Fields with one value per vertex of a visit's face.</summary>
+    public enum StudyField
+    {
+        /// <summary>how far the fitted surface may lie off the skin</summary>
+        NormalSdMm = 1,
+        /// <summary>in [0, 1]: how far the scan was seen there</summary>
+        Weight = 2,
+        /// <summary>of the expression that was taken off: root of the summed posterior variance of a place's coordinates</summary>
+        ExpressionSdMm = 3,
     }
 
     /// <summary>How the two subspaces are found.</summary>
@@ -1115,10 +1142,11 @@ namespace Mien
         public int SkipBorders { get; set; }
         /// <summary>zone_count zones; null: the whole face only</summary>
         public IReadOnlyList<Zone> Zones { get; set; }
-        /// <summary>#V, mm: deviation of each vertex along the normal; count 0: exact</summary>
+        /// <summary>#V, mm: deviation of each vertex along the normal, as MIEN_REGISTRATION_NORMAL_DEVIATION_MM tells it; count 0:
+        /// exact. Without that of either face there is no interval (since 0.2), whatever the alignment's</summary>
         public Values BeforeSd { get; set; }
         public Values AfterSd { get; set; }
-        /// <summary>over which errors of a surface go together; default 10</summary>
+        /// <summary>over which errors of a surface go together; default 4, in 0.1: 10</summary>
         public double CorrelationLengthMm { get; set; }
         /// <summary>of the after face against the before face; default 0</summary>
         public double AlignmentRotationSdRad { get; set; }
@@ -1455,6 +1483,151 @@ namespace Mien
             raw->cancel = call.CancelToken(cancellationToken);
             return at;
         }
+    }
+
+    /// <summary>Names are those of zones.</summary>
+    public sealed unsafe class StudyOptions : Record
+    {
+        /// <summary>With the library's defaults.</summary>
+        public StudyOptions()
+        {
+            var raw = default(Native.StudyOptions);
+            Functions.mien_study_options_init((IntPtr)(&raw), (UIntPtr)sizeof(Native.StudyOptions));
+            MarginMm = raw.marginMm;
+            Level = raw.level;
+            NoiseMm = raw.noiseMm;
+            CorrelationLengthMm = raw.correlationLengthMm;
+            CommonBiasMm = raw.commonBiasMm;
+            UntrainedShare = raw.untrainedShare;
+            MinSeenShare = raw.minSeenShare;
+        }
+
+        /// <summary>zone_count zones to measure; null: those of the registrations' model</summary>
+        public IReadOnlyList<Zone> Zones { get; set; }
+        /// <summary>treated_count names: where the person may have changed, no witness of expression or pose; null: none</summary>
+        public IReadOnlyList<string> TreatedZones { get; set; }
+        /// <summary>stable_count names of zones to align on; null: all but the treated ones when zones are treated and expressions
+        /// taken off, otherwise "forehead" and "nose"; without any zone the whole face</summary>
+        public IReadOnlyList<string> StableZones { get; set; }
+        /// <summary>visit_number_count numbers, the visit of each face, from 0 and ascending: several captures of one visit tell the
+        /// limits of detection; null: each face is a visit of its own</summary>
+        public int[] Visits { get; set; }
+        /// <summary>around the treated zones, 0 to 100, measured with them as zones of their own at the end; default 10</summary>
+        public double MarginMm { get; set; }
+        /// <summary>of the intervals, above 0 and below 1; default 0.95</summary>
+        public double Level { get; set; }
+        /// <summary>of a scanner's surface along its normal, where it was seen; default 0.08</summary>
+        public double NoiseMm { get; set; }
+        /// <summary>over which the errors of a fitted surface go together; default 4</summary>
+        public double CorrelationLengthMm { get; set; }
+        /// <summary>error common to all vertices; default 0.01</summary>
+        public double CommonBiasMm { get; set; }
+        /// <summary>of the volume that an expression accounted for: what no training set knew of it; default 0.06</summary>
+        public double UntrainedShare { get; set; }
+        /// <summary>of a zone's area that both visits must have seen, 0 to 1; default 0.1</summary>
+        public double MinSeenShare { get; set; }
+
+        internal override void Fill(Call call, IntPtr at)
+        {
+            var raw = (Native.StudyOptions*)at;
+            Functions.mien_study_options_init(at, (UIntPtr)sizeof(Native.StudyOptions));
+            raw->marginMm = MarginMm;
+            raw->level = Level;
+            raw->noiseMm = NoiseMm;
+            raw->correlationLengthMm = CorrelationLengthMm;
+            raw->commonBiasMm = CommonBiasMm;
+            raw->untrainedShare = UntrainedShare;
+            raw->minSeenShare = MinSeenShare;
+            raw->zones = call.Records(Zones, sizeof(Native.Zone));
+            raw->zoneCount = (ulong)call.Rows(Zones, 1, "zones");
+            raw->treatedZones = call.Texts(TreatedZones);
+            raw->treatedCount = (ulong)call.Rows(TreatedZones, 1, "treated_zones");
+            raw->stableZones = call.Texts(StableZones);
+            raw->stableCount = (ulong)call.Rows(StableZones, 1, "stable_zones");
+            raw->visits = call.Array(Visits);
+            raw->visitNumberCount = (ulong)call.Rows(Visits, 1, "visits");
+        }
+
+        internal IntPtr Write(Call call, IProgress<Progress> progress, CancellationToken cancellationToken)
+        {
+            var at = call.Room(sizeof(Native.StudyOptions));
+            Fill(call, at);
+            var raw = (Native.StudyOptions*)at;
+            raw->progress = call.ProgressFunction(progress);
+            raw->progressUser = call.ProgressUser;
+            raw->cancel = call.CancelToken(cancellationToken);
+            return at;
+        }
+    }
+
+    /// <summary>A number with its error. NaN: not known.</summary>
+    public sealed unsafe class StudyValue : Record
+    {
+        public double Value { get; set; }
+        /// <summary>standard deviation</summary>
+        public double Sd { get; set; }
+        /// <summary>of the interval at the study's level</summary>
+        public double Low { get; set; }
+        /// <summary>of the interval at the study's level</summary>
+        public double High { get; set; }
+        /// <summary>a smaller size cannot be told from no change</summary>
+        public double LimitOfDetection { get; set; }
+
+        internal override void Fill(Call call, IntPtr at)
+        {
+            var raw = (Native.StudyValue*)at;
+            raw->value = Value;
+            raw->sd = Sd;
+            raw->low = Low;
+            raw->high = High;
+            raw->limitOfDetection = LimitOfDetection;
+        }
+
+        internal static StudyValue Read(Call call, IntPtr at)
+        {
+            var raw = (Native.StudyValue*)at;
+            var made = new StudyValue();
+            made.Value = raw->value;
+            made.Sd = raw->sd;
+            made.Low = raw->low;
+            made.High = raw->high;
+            made.LimitOfDetection = raw->limitOfDetection;
+            return made;
+        }
+    }
+
+    /// <summary>What changed in one zone from one visit to another. Set struct_size first.</summary>
+    public sealed unsafe class StudyChange
+    {
+        /// <summary>MIEN_STUDY_*: why there is no deviation</summary>
+        public StudyKind Unknown { get; internal set; }
+        /// <summary>gained and lost together; positive: gained</summary>
+        public StudyValue SignedMl { get; internal set; }
+        /// <summary>&gt;= 0</summary>
+        public StudyValue GainedMl { get; internal set; }
+        /// <summary>&lt;= 0</summary>
+        public StudyValue LostMl { get; internal set; }
+        /// <summary>gained without lost</summary>
+        public StudyValue AbsoluteMl { get; internal set; }
+        public StudyValue AreaChangeMm2 { get; internal set; }
+        /// <summary>along the normals of the first face; positive: outside</summary>
+        public StudyValue MeanDistanceMm { get; internal set; }
+        /// <summary>of signed_ml.sd: by the fitted surfaces</summary>
+        public double SurfaceSdMl { get; internal set; }
+        /// <summary>by the alignment on the stable zone</summary>
+        public double AlignmentSdMl { get; internal set; }
+        /// <summary>by the error common to all vertices</summary>
+        public double BiasSdMl { get; internal set; }
+        /// <summary>by what taking the expressions off leaves open</summary>
+        public double ExpressionSdMl { get; internal set; }
+        /// <summary>what the expressions accounted for, signed</summary>
+        public double ExpressionRemovedMl { get; internal set; }
+        /// <summary>of the zone's area, in both visits; NaN: not told</summary>
+        public double SeenShare { get; internal set; }
+        public double AreaBeforeMm2 { get; internal set; }
+        public double AreaAfterMm2 { get; internal set; }
+        /// <summary>1: signed_ml reaches its limit of detection, 0: below it, -1: no limit known</summary>
+        public int Detected { get; internal set; }
     }
 
     /// <summary>mien_train_options of the C interface.</summary>
@@ -1940,6 +2113,21 @@ namespace Mien
         public double[] Motion { get; private set; }
         /// <summary>rows of channel_count values.</summary>
         public double[] Dst { get; private set; }
+    }
+
+    /// <summary>What comes out of one call.</summary>
+    public sealed class StudyCounts
+    {
+        internal StudyCounts(uint visitCount, uint zoneCount)
+        {
+            VisitCount = visitCount;
+            ZoneCount = zoneCount;
+        }
+
+        /// <summary>may be left out.</summary>
+        public uint VisitCount { get; private set; }
+        /// <summary>may be left out.</summary>
+        public uint ZoneCount { get; private set; }
     }
 
     /// <summary>What comes out of one call.</summary>
@@ -4471,8 +4659,8 @@ namespace Mien
 
         /// <summary>Copies a field with one float64 per template vertex.</summary>
         /// <param name="field">one of MIEN_REGISTRATION_RESIDUAL_MM, MIEN_REGISTRATION_WEIGHT, MIEN_REGISTRATION_STANDARD_DEVIATION_MM,
-        /// MIEN_REGISTRATION_RADIUS95_MM.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_NOT_FOUND (no such field)</exception>
+        /// MIEN_REGISTRATION_RADIUS95_MM, MIEN_REGISTRATION_NORMAL_DEVIATION_MM.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_NOT_FOUND (no such field, or it is not known of this registration)</exception>
         /// <remarks>C: mien_registration_get_field()</remarks>
         public double[] GetField(RegistrationKind field)
         {
@@ -4542,6 +4730,66 @@ namespace Mien
                     dstAt = call.Room(capacity);
                 } while ((capacity = call.More(Functions.mien_registration_get_json(registrationAt, dstAt, (ulong)capacity, countAt, call.Error), capacity, countAt)) != 0);
                 return call.ReadText(dstAt, call.Count(countAt));
+            }
+        }
+
+        /// <summary>Keeps a registration as a file: the fitted template, its residuals, weights and deviations, the verdict and the
+        /// model's zones, so that visits can be registered today and studied in a year. The scan is not in it.</summary>
+        /// <param name="path">UTF-8; replaced whole.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
+        /// <remarks>C: mien_registration_save()</remarks>
+        public void Save(Session session, string path)
+        {
+            using (var call = new Call())
+            {
+                call.Lock(session);
+                var sessionAt = call.Use(session);
+                var registrationAt = call.Use(this);
+                var pathAt = call.Text(path);
+                call.Check(Functions.mien_registration_save(sessionAt, registrationAt, pathAt, call.Error));
+            }
+        }
+
+        /// <summary>Reads a registration that mien_registration_save() kept. It gives the same bits as the registration itself.</summary>
+        /// <param name="path">UTF-8.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_WRONG_KIND,
+        /// MIEN_E_UNSUPPORTED_VERSION, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH, MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_registration_load()</remarks>
+        public static Registration Load(Session session, string path)
+        {
+            using (var call = new Call())
+            {
+                call.Lock(session);
+                var sessionAt = call.Use(session);
+                var pathAt = call.Text(path);
+                var outAt = call.Room(8);
+                call.Check(Functions.mien_registration_load(sessionAt, pathAt, outAt, call.Error));
+                return call.Keep(new Registration(call.Pointer(outAt)));
+            }
+        }
+
+        /// <summary>A registration of a face that was fitted elsewhere, or whose arrays a host kept itself. What is not given here
+        /// is zero or empty in it.</summary>
+        /// <param name="mesh">the fitted template, mm.</param>
+        /// <param name="quality">MIEN_QUALITY_*: the verdict on the fit.</param>
+        /// <param name="weight">may be left out: not known; #V values, 0 to 1: how far the scan was seen there.</param>
+        /// <param name="residual">may be left out: zero; #V values, mm: signed distance to the scan.</param>
+        /// <param name="standardDeviation">may be left out: not known; #V values, mm, &gt;= 0: of the place, per axis.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MISMATCH (lengths), MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_registration_create()</remarks>
+        public static Registration Create(Session session, Mesh mesh, Quality quality, Values weight = null, Values residual = null, Values standardDeviation = null)
+        {
+            using (var call = new Call())
+            {
+                call.Lock(session);
+                var sessionAt = call.Use(session);
+                var meshAt = call.Use(mesh);
+                var weightAt = call.ViewOrNull(weight, 1, "weight");
+                var residualAt = call.ViewOrNull(residual, 1, "residual");
+                var standardDeviationAt = call.ViewOrNull(standardDeviation, 1, "standard_deviation");
+                var outAt = call.Room(8);
+                call.Check(Functions.mien_registration_create(sessionAt, meshAt, weightAt, residualAt, standardDeviationAt, (int)quality, outAt, call.Error));
+                return call.Keep(new Registration(call.Pointer(outAt)));
             }
         }
     }
@@ -5519,6 +5767,282 @@ namespace Mien
         }
     }
 
+    /// <summary>Visits of one person: neutral faces and what changed between them. Immutable: share freely.</summary>
+    public sealed unsafe class Study : NativeObject
+    {
+        internal Study(IntPtr owned) : base(owned, at => Functions.mien_study_release(at)) { }
+
+        /// <summary>One more object for the same native one: each may be disposed by itself.</summary>
+        public Study Share()
+        {
+            using (var call = new Call())
+            {
+                var at = call.Use(this);
+                Functions.mien_study_retain(at);
+                return new Study(at);
+            }
+        }
+
+        /// <summary>Studies the visits of one person: takes the expressions off all faces together, aligns each visit on the first
+        /// by what holds still, and measures what changed per zone with its errors. One registration: its neutral face and
+        /// how surely it is known.</summary>
+        /// <param name="registrations">registration_count fits of one model, first visit first.</param>
+        /// <param name="expressions">may be left out: faces are measured as they are held.</param>
+        /// <param name="options">may be left out: defaults, with the zones of the registrations' model.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH (topology, zones),
+        /// MIEN_E_NOT_FOUND (a zone's name), MIEN_E_NO_SOLUTION, MIEN_E_UNSUPPORTED_OPTION, MIEN_E_NO_MEMORY,
+        /// MIEN_E_CANCELLED</exception>
+        /// <remarks>C: mien_study_create()</remarks>
+        public static Study Create(Session session, IReadOnlyList<Registration> registrations, ExpressionModel expressions = null, StudyOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            using (var call = new Call())
+            {
+                call.Required(registrations, "registrations");
+                call.Lock(session);
+                var sessionAt = call.Use(session);
+                var registrationCount = call.Rows(registrations, 1, "registrations");
+                var registrationsAt = call.Handles(registrations);
+                var expressionsAt = call.UseOrNull(expressions);
+                var optionsAt = (options ?? new StudyOptions()).Write(call, progress, cancellationToken);
+                var outAt = call.Room(8);
+                call.Check(Functions.mien_study_create(sessionAt, registrationsAt, (uint)registrationCount, expressionsAt, optionsAt, outAt, call.Error));
+                return call.Keep(new Study(call.Pointer(outAt)));
+            }
+        }
+
+        /// <summary>Studies the visits of one person: takes the expressions off all faces together, aligns each visit on the first
+        /// by what holds still, and measures what changed per zone with its errors. One registration: its neutral face and
+        /// how surely it is known.</summary>
+        /// <param name="registrations">registration_count fits of one model, first visit first.</param>
+        /// <param name="expressions">may be left out: faces are measured as they are held.</param>
+        /// <param name="options">may be left out: defaults, with the zones of the registrations' model.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH (topology, zones),
+        /// MIEN_E_NOT_FOUND (a zone's name), MIEN_E_NO_SOLUTION, MIEN_E_UNSUPPORTED_OPTION, MIEN_E_NO_MEMORY,
+        /// MIEN_E_CANCELLED</exception>
+        /// <remarks>C: mien_study_create()</remarks>
+        public static Task<Study> CreateAsync(Session session, IReadOnlyList<Registration> registrations, ExpressionModel expressions = null, StudyOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            return Task.Run(() => Create(session, registrations, expressions, options, progress, cancellationToken), cancellationToken);
+        }
+
+        /// <summary>The same from meshes that were fitted elsewhere. Without deviations nothing is said of errors: sd, low, high and
+        /// limit_of_detection are NaN.</summary>
+        /// <param name="faces">face_count meshes in one topology, mm, first visit first.</param>
+        /// <param name="normalSd">may be left out; face_count x #V values, face by face, mm, &gt;= 0: how far each surface may lie off the skin
+        /// along its normal.</param>
+        /// <param name="weights">may be left out: all was seen, as far as is known; face_count x #V values, face by face, 0 to 1: 0 where a scan
+        /// had no data.</param>
+        /// <param name="expressions">may be left out: faces are measured as they are held.</param>
+        /// <param name="options">may be left out: defaults, without any zone. noise_mm is not read.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH (topology, zones,
+        /// deviations, weights), MIEN_E_NOT_FOUND (a zone's name), MIEN_E_NO_SOLUTION, MIEN_E_UNSUPPORTED_OPTION,
+        /// MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
+        /// <remarks>C: mien_study_create_from_meshes()</remarks>
+        public static Study CreateFromMeshes(Session session, IReadOnlyList<Mesh> faces, Values normalSd = null, Values weights = null, ExpressionModel expressions = null, StudyOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            using (var call = new Call())
+            {
+                call.Required(faces, "faces");
+                call.Lock(session);
+                var sessionAt = call.Use(session);
+                var faceCount = call.Rows(faces, 1, "faces");
+                var facesAt = call.Handles(faces);
+                var normalSdAt = call.ViewOrNull(normalSd, 1, "normal_sd");
+                var weightsAt = call.ViewOrNull(weights, 1, "weights");
+                var expressionsAt = call.UseOrNull(expressions);
+                var optionsAt = (options ?? new StudyOptions()).Write(call, progress, cancellationToken);
+                var outAt = call.Room(8);
+                call.Check(Functions.mien_study_create_from_meshes(sessionAt, facesAt, (uint)faceCount, normalSdAt, weightsAt, expressionsAt, optionsAt, outAt, call.Error));
+                return call.Keep(new Study(call.Pointer(outAt)));
+            }
+        }
+
+        /// <summary>The same from meshes that were fitted elsewhere. Without deviations nothing is said of errors: sd, low, high and
+        /// limit_of_detection are NaN.</summary>
+        /// <param name="faces">face_count meshes in one topology, mm, first visit first.</param>
+        /// <param name="normalSd">may be left out; face_count x #V values, face by face, mm, &gt;= 0: how far each surface may lie off the skin
+        /// along its normal.</param>
+        /// <param name="weights">may be left out: all was seen, as far as is known; face_count x #V values, face by face, 0 to 1: 0 where a scan
+        /// had no data.</param>
+        /// <param name="expressions">may be left out: faces are measured as they are held.</param>
+        /// <param name="options">may be left out: defaults, without any zone. noise_mm is not read.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH (topology, zones,
+        /// deviations, weights), MIEN_E_NOT_FOUND (a zone's name), MIEN_E_NO_SOLUTION, MIEN_E_UNSUPPORTED_OPTION,
+        /// MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
+        /// <remarks>C: mien_study_create_from_meshes()</remarks>
+        public static Task<Study> CreateFromMeshesAsync(Session session, IReadOnlyList<Mesh> faces, Values normalSd = null, Values weights = null, ExpressionModel expressions = null, StudyOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            return Task.Run(() => CreateFromMeshes(session, faces, normalSd, weights, expressions, options, progress, cancellationToken), cancellationToken);
+        }
+
+        /// <summary>How many visits and zones a study has. The treated zones with their margin are the last zones.</summary>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE</exception>
+        /// <remarks>C: mien_study_get_counts()</remarks>
+        public StudyCounts GetCounts()
+        {
+            using (var call = new Call())
+            {
+                var studyAt = call.Use(this);
+                var visitCountAt = call.Room(8);
+                var zoneCountAt = call.Room(8);
+                call.Check(Functions.mien_study_get_counts(studyAt, visitCountAt, zoneCountAt, call.Error));
+                return new StudyCounts(*(uint*)visitCountAt, *(uint*)zoneCountAt);
+            }
+        }
+
+        /// <summary>The name of a zone.</summary>
+        /// <param name="zone">0 to zone_count - 1.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_NOT_FOUND (zone)</exception>
+        /// <remarks>C: mien_study_get_zone_name()</remarks>
+        public string GetZoneName(int zone)
+        {
+            using (var call = new Call())
+            {
+                var studyAt = call.Use(this);
+                var countAt = call.Room(8);
+                long capacity = call.FirstCapacity(1);
+                IntPtr dstAt;
+                do {
+                    dstAt = call.Room(capacity);
+                } while ((capacity = call.More(Functions.mien_study_get_zone_name(studyAt, zone, dstAt, (ulong)capacity, countAt, call.Error), capacity, countAt)) != 0);
+                return call.ReadText(dstAt, call.Count(countAt));
+            }
+        }
+
+        /// <summary>The name of the expression that was taken off a visit.</summary>
+        /// <param name="visit">0 to visit_count - 1.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_NOT_FOUND (visit)</exception>
+        /// <remarks>C: mien_study_get_expression()</remarks>
+        public string GetExpression(int visit)
+        {
+            using (var call = new Call())
+            {
+                var studyAt = call.Use(this);
+                var countAt = call.Room(8);
+                long capacity = call.FirstCapacity(1);
+                IntPtr dstAt;
+                do {
+                    dstAt = call.Room(capacity);
+                } while ((capacity = call.More(Functions.mien_study_get_expression(studyAt, visit, dstAt, (ulong)capacity, countAt, call.Error), capacity, countAt)) != 0);
+                return call.ReadText(dstAt, call.Count(countAt));
+            }
+        }
+
+        /// <summary>The neutral face of a visit, in its own frame or aligned on another visit.</summary>
+        /// <param name="visit">0 to visit_count - 1.</param>
+        /// <param name="frame">the visit in whose frame to give it: its own number for its own frame.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_NOT_FOUND (a visit), MIEN_E_NO_SOLUTION, MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_study_get_mesh()</remarks>
+        public Mesh GetMesh(int visit, int frame)
+        {
+            using (var call = new Call())
+            {
+                var studyAt = call.Use(this);
+                var outAt = call.Room(8);
+                call.Check(Functions.mien_study_get_mesh(studyAt, visit, frame, outAt, call.Error));
+                return call.Keep(new Mesh(call.Pointer(outAt)));
+            }
+        }
+
+        /// <summary>Copies a field with one float64 per vertex of a visit's face.</summary>
+        /// <param name="visit">0 to visit_count - 1.</param>
+        /// <param name="field">MIEN_STUDY_FIELD_*.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_NOT_FOUND (visit, or nothing is known of such a field)</exception>
+        /// <remarks>C: mien_study_get_field()</remarks>
+        public double[] GetField(int visit, StudyField field)
+        {
+            using (var call = new Call())
+            {
+                var studyAt = call.Use(this);
+                var countAt = call.Room(8);
+                long capacity = call.FirstCapacity(8);
+                IntPtr dstAt;
+                do {
+                    dstAt = call.Room(capacity * 8);
+                } while ((capacity = call.More(Functions.mien_study_get_field(studyAt, visit, (int)field, dstAt, (ulong)capacity, countAt, call.Error), capacity, countAt)) != 0);
+                var rows = call.Count(countAt);
+                return call.ReadDoubles(dstAt, rows);
+            }
+        }
+
+        /// <summary>How far each vertex moved between two visits: the signed distance of the second neutral face, aligned, from the
+        /// first along the first one's normals, mm.</summary>
+        /// <param name="first">0 to visit_count - 1.</param>
+        /// <param name="second">another visit.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (first is second), MIEN_E_NOT_FOUND (a visit),
+        /// MIEN_E_NO_SOLUTION, MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_study_get_distances()</remarks>
+        public double[] GetDistances(int first, int second)
+        {
+            using (var call = new Call())
+            {
+                var studyAt = call.Use(this);
+                var countAt = call.Room(8);
+                long capacity = call.FirstCapacity(8);
+                IntPtr dstAt;
+                do {
+                    dstAt = call.Room(capacity * 8);
+                } while ((capacity = call.More(Functions.mien_study_get_distances(studyAt, first, second, dstAt, (ulong)capacity, countAt, call.Error), capacity, countAt)) != 0);
+                var rows = call.Count(countAt);
+                return call.ReadDoubles(dstAt, rows);
+            }
+        }
+
+        /// <summary>How the second visit was aligned on the first.</summary>
+        /// <param name="first">0 to visit_count - 1.</param>
+        /// <param name="second">another visit.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (first is second), MIEN_E_NOT_FOUND (a visit),
+        /// MIEN_E_NO_SOLUTION, MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_study_get_alignment()</remarks>
+        public ZoneAlignment GetAlignment(int first, int second)
+        {
+            using (var call = new Call())
+            {
+                var studyAt = call.Use(this);
+                var outAt = call.Sized(sizeof(Native.ZoneAlignment));
+                call.Check(Functions.mien_study_get_alignment(studyAt, first, second, outAt, call.Error));
+                return ZoneAlignment.Read(call, outAt);
+            }
+        }
+
+        /// <summary>What changed in a zone from one visit to another.</summary>
+        /// <param name="first">0 to visit_count - 1.</param>
+        /// <param name="second">another visit.</param>
+        /// <param name="zone">0 to zone_count - 1.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (first is second), MIEN_E_NOT_FOUND (a visit or zone),
+        /// MIEN_E_NO_SOLUTION, MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_study_get_change()</remarks>
+        public StudyChange GetChange(int first, int second, int zone)
+        {
+            using (var call = new Call())
+            {
+                var studyAt = call.Use(this);
+                var outAt = call.Sized(sizeof(Native.StudyChange));
+                call.Check(Functions.mien_study_get_change(studyAt, first, second, zone, outAt, call.Error));
+                return StudyChange.Read(call, outAt);
+            }
+        }
+
+        /// <summary>The study as a JSON object: "recipe" with every setting, "zones", and "visits" with the expression of each and
+        /// "changes_since_first" per zone.</summary>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_study_get_json()</remarks>
+        public string GetJson()
+        {
+            using (var call = new Call())
+            {
+                var studyAt = call.Use(this);
+                var countAt = call.Room(8);
+                long capacity = call.FirstCapacity(1);
+                IntPtr dstAt;
+                do {
+                    dstAt = call.Room(capacity);
+                } while ((capacity = call.More(Functions.mien_study_get_json(studyAt, dstAt, (ulong)capacity, countAt, call.Error), capacity, countAt)) != 0);
+                return call.ReadText(dstAt, call.Count(countAt));
+            }
+        }
+    }
+
     /// <summary>One person's faces at several visits, without their expressions. Immutable: share freely between threads.</summary>
     public sealed unsafe class Visits : NativeObject
     {
@@ -5604,7 +6128,7 @@ namespace Mien
             }
         }
 
-        /// <summary>The library's version as text, e.g. "0.1.0".</summary>
+        /// <summary>The library's version as text, e.g. "0.2.0".</summary>
         /// <remarks>C: mien_version_string()</remarks>
         public static string VersionString()
         {

@@ -422,6 +422,64 @@ namespace Mien.Native
     }
 
     [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct StudyOptions
+    {
+        public uint structSize;
+        public uint reserved;
+        public IntPtr zones;
+        public ulong zoneCount;
+        public IntPtr treatedZones;
+        public ulong treatedCount;
+        public IntPtr stableZones;
+        public ulong stableCount;
+        public IntPtr visits;
+        public ulong visitNumberCount;
+        public double marginMm;
+        public double level;
+        public double noiseMm;
+        public double correlationLengthMm;
+        public double commonBiasMm;
+        public double untrainedShare;
+        public double minSeenShare;
+        public IntPtr progress;
+        public IntPtr progressUser;
+        public IntPtr cancel;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct StudyValue
+    {
+        public double value;
+        public double sd;
+        public double low;
+        public double high;
+        public double limitOfDetection;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct StudyChange
+    {
+        public uint structSize;
+        public int unknown;
+        public StudyValue signedMl;
+        public StudyValue gainedMl;
+        public StudyValue lostMl;
+        public StudyValue absoluteMl;
+        public StudyValue areaChangeMm2;
+        public StudyValue meanDistanceMm;
+        public double surfaceSdMl;
+        public double alignmentSdMl;
+        public double biasSdMl;
+        public double expressionSdMl;
+        public double expressionRemovedMl;
+        public double seenShare;
+        public double areaBeforeMm2;
+        public double areaAfterMm2;
+        public int detected;
+        public uint reserved;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     internal unsafe struct TrainOptions
     {
         public uint structSize;
@@ -473,7 +531,7 @@ namespace Mien.Native
     internal static class Functions
     {
         internal const uint AbiVersion = 0;
-        internal const string Version = "0.1.0";
+        internal const string Version = "0.2.0";
 
 #if MIEN_STATIC // linked into the program, as on iOS
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
@@ -701,6 +759,12 @@ namespace Mien.Native
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern int mien_registration_get_json(IntPtr registration, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_registration_save(IntPtr session, IntPtr registration, IntPtr path, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_registration_load(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_registration_create(IntPtr session, IntPtr mesh, IntPtr weight, IntPtr residual, IntPtr standardDeviation, int quality, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_registration_retain(IntPtr registration);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_registration_release(IntPtr registration);
@@ -876,6 +940,34 @@ namespace Mien.Native
         internal static extern int mien_series_get_json(IntPtr series, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_series_release(IntPtr series);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_study_options_init(IntPtr options, UIntPtr structSize);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_study_create(IntPtr session, IntPtr registrations, uint registrationCount, IntPtr expressions, IntPtr options, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_study_create_from_meshes(IntPtr session, IntPtr faces, uint faceCount, IntPtr normalSd, IntPtr weights, IntPtr expressions, IntPtr options, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_study_get_counts(IntPtr study, IntPtr visitCount, IntPtr zoneCount, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_study_get_zone_name(IntPtr study, int zone, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_study_get_expression(IntPtr study, int visit, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_study_get_mesh(IntPtr study, int visit, int frame, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_study_get_field(IntPtr study, int visit, int field, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_study_get_distances(IntPtr study, int first, int second, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_study_get_alignment(IntPtr study, int first, int second, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_study_get_change(IntPtr study, int first, int second, int zone, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_study_get_json(IntPtr study, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_study_retain(IntPtr study);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_study_release(IntPtr study);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern int mien_template_check(IntPtr session, IntPtr templateMesh, IntPtr landmarks, int mirror, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
@@ -1238,6 +1330,15 @@ namespace Mien.Native
         internal delegate int mien_registration_get_json_function(IntPtr registration, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
         internal static readonly mien_registration_get_json_function mien_registration_get_json = Library.Function<mien_registration_get_json_function>("mien_registration_get_json");
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_registration_save_function(IntPtr session, IntPtr registration, IntPtr path, IntPtr error);
+        internal static readonly mien_registration_save_function mien_registration_save = Library.Function<mien_registration_save_function>("mien_registration_save");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_registration_load_function(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
+        internal static readonly mien_registration_load_function mien_registration_load = Library.Function<mien_registration_load_function>("mien_registration_load");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_registration_create_function(IntPtr session, IntPtr mesh, IntPtr weight, IntPtr residual, IntPtr standardDeviation, int quality, IntPtr @out, IntPtr error);
+        internal static readonly mien_registration_create_function mien_registration_create = Library.Function<mien_registration_create_function>("mien_registration_create");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         internal delegate void mien_registration_retain_function(IntPtr registration);
         internal static readonly mien_registration_retain_function mien_registration_retain = Library.Function<mien_registration_retain_function>("mien_registration_retain");
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
@@ -1501,6 +1602,48 @@ namespace Mien.Native
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         internal delegate void mien_series_release_function(IntPtr series);
         internal static readonly mien_series_release_function mien_series_release = Library.Function<mien_series_release_function>("mien_series_release");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_study_options_init_function(IntPtr options, UIntPtr structSize);
+        internal static readonly mien_study_options_init_function mien_study_options_init = Library.Function<mien_study_options_init_function>("mien_study_options_init");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_study_create_function(IntPtr session, IntPtr registrations, uint registrationCount, IntPtr expressions, IntPtr options, IntPtr @out, IntPtr error);
+        internal static readonly mien_study_create_function mien_study_create = Library.Function<mien_study_create_function>("mien_study_create");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_study_create_from_meshes_function(IntPtr session, IntPtr faces, uint faceCount, IntPtr normalSd, IntPtr weights, IntPtr expressions, IntPtr options, IntPtr @out, IntPtr error);
+        internal static readonly mien_study_create_from_meshes_function mien_study_create_from_meshes = Library.Function<mien_study_create_from_meshes_function>("mien_study_create_from_meshes");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_study_get_counts_function(IntPtr study, IntPtr visitCount, IntPtr zoneCount, IntPtr error);
+        internal static readonly mien_study_get_counts_function mien_study_get_counts = Library.Function<mien_study_get_counts_function>("mien_study_get_counts");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_study_get_zone_name_function(IntPtr study, int zone, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_study_get_zone_name_function mien_study_get_zone_name = Library.Function<mien_study_get_zone_name_function>("mien_study_get_zone_name");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_study_get_expression_function(IntPtr study, int visit, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_study_get_expression_function mien_study_get_expression = Library.Function<mien_study_get_expression_function>("mien_study_get_expression");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_study_get_mesh_function(IntPtr study, int visit, int frame, IntPtr @out, IntPtr error);
+        internal static readonly mien_study_get_mesh_function mien_study_get_mesh = Library.Function<mien_study_get_mesh_function>("mien_study_get_mesh");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_study_get_field_function(IntPtr study, int visit, int field, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_study_get_field_function mien_study_get_field = Library.Function<mien_study_get_field_function>("mien_study_get_field");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_study_get_distances_function(IntPtr study, int first, int second, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_study_get_distances_function mien_study_get_distances = Library.Function<mien_study_get_distances_function>("mien_study_get_distances");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_study_get_alignment_function(IntPtr study, int first, int second, IntPtr @out, IntPtr error);
+        internal static readonly mien_study_get_alignment_function mien_study_get_alignment = Library.Function<mien_study_get_alignment_function>("mien_study_get_alignment");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_study_get_change_function(IntPtr study, int first, int second, int zone, IntPtr @out, IntPtr error);
+        internal static readonly mien_study_get_change_function mien_study_get_change = Library.Function<mien_study_get_change_function>("mien_study_get_change");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_study_get_json_function(IntPtr study, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_study_get_json_function mien_study_get_json = Library.Function<mien_study_get_json_function>("mien_study_get_json");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_study_retain_function(IntPtr study);
+        internal static readonly mien_study_retain_function mien_study_retain = Library.Function<mien_study_retain_function>("mien_study_retain");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_study_release_function(IntPtr study);
+        internal static readonly mien_study_release_function mien_study_release = Library.Function<mien_study_release_function>("mien_study_release");
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         internal delegate int mien_template_check_function(IntPtr session, IntPtr templateMesh, IntPtr landmarks, int mirror, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
         internal static readonly mien_template_check_function mien_template_check = Library.Function<mien_template_check_function>("mien_template_check");

@@ -305,6 +305,52 @@ STATIC_CHECK(offsetof(mien_series_options, progress) == 56, place_of_mien_series
 STATIC_CHECK(offsetof(mien_series_options, progress_user) == 64, place_of_mien_series_options_progress_user);
 STATIC_CHECK(offsetof(mien_series_options, cancel) == 72, place_of_mien_series_options_cancel);
 STATIC_CHECK(offsetof(mien_series_options, weights) == 80, place_of_mien_series_options_weights);
+STATIC_CHECK(sizeof(mien_study_options) == 152, size_of_mien_study_options);
+STATIC_CHECK(offsetof(mien_study_options, struct_size) == 0, place_of_mien_study_options_struct_size);
+STATIC_CHECK(offsetof(mien_study_options, reserved) == 4, place_of_mien_study_options_reserved);
+STATIC_CHECK(offsetof(mien_study_options, zones) == 8, place_of_mien_study_options_zones);
+STATIC_CHECK(offsetof(mien_study_options, zone_count) == 16, place_of_mien_study_options_zone_count);
+STATIC_CHECK(offsetof(mien_study_options, treated_zones) == 24, place_of_mien_study_options_treated_zones);
+STATIC_CHECK(offsetof(mien_study_options, treated_count) == 32, place_of_mien_study_options_treated_count);
+STATIC_CHECK(offsetof(mien_study_options, stable_zones) == 40, place_of_mien_study_options_stable_zones);
+STATIC_CHECK(offsetof(mien_study_options, stable_count) == 48, place_of_mien_study_options_stable_count);
+STATIC_CHECK(offsetof(mien_study_options, visits) == 56, place_of_mien_study_options_visits);
+STATIC_CHECK(offsetof(mien_study_options, visit_number_count) == 64, place_of_mien_study_options_visit_number_count);
+STATIC_CHECK(offsetof(mien_study_options, margin_mm) == 72, place_of_mien_study_options_margin_mm);
+STATIC_CHECK(offsetof(mien_study_options, level) == 80, place_of_mien_study_options_level);
+STATIC_CHECK(offsetof(mien_study_options, noise_mm) == 88, place_of_mien_study_options_noise_mm);
+STATIC_CHECK(offsetof(mien_study_options, correlation_length_mm) == 96, place_of_mien_study_options_correlation_length_mm);
+STATIC_CHECK(offsetof(mien_study_options, common_bias_mm) == 104, place_of_mien_study_options_common_bias_mm);
+STATIC_CHECK(offsetof(mien_study_options, untrained_share) == 112, place_of_mien_study_options_untrained_share);
+STATIC_CHECK(offsetof(mien_study_options, min_seen_share) == 120, place_of_mien_study_options_min_seen_share);
+STATIC_CHECK(offsetof(mien_study_options, progress) == 128, place_of_mien_study_options_progress);
+STATIC_CHECK(offsetof(mien_study_options, progress_user) == 136, place_of_mien_study_options_progress_user);
+STATIC_CHECK(offsetof(mien_study_options, cancel) == 144, place_of_mien_study_options_cancel);
+STATIC_CHECK(sizeof(mien_study_value) == 40, size_of_mien_study_value);
+STATIC_CHECK(offsetof(mien_study_value, value) == 0, place_of_mien_study_value_value);
+STATIC_CHECK(offsetof(mien_study_value, sd) == 8, place_of_mien_study_value_sd);
+STATIC_CHECK(offsetof(mien_study_value, low) == 16, place_of_mien_study_value_low);
+STATIC_CHECK(offsetof(mien_study_value, high) == 24, place_of_mien_study_value_high);
+STATIC_CHECK(offsetof(mien_study_value, limit_of_detection) == 32, place_of_mien_study_value_limit_of_detection);
+STATIC_CHECK(sizeof(mien_study_change) == 320, size_of_mien_study_change);
+STATIC_CHECK(offsetof(mien_study_change, struct_size) == 0, place_of_mien_study_change_struct_size);
+STATIC_CHECK(offsetof(mien_study_change, unknown) == 4, place_of_mien_study_change_unknown);
+STATIC_CHECK(offsetof(mien_study_change, signed_ml) == 8, place_of_mien_study_change_signed_ml);
+STATIC_CHECK(offsetof(mien_study_change, gained_ml) == 48, place_of_mien_study_change_gained_ml);
+STATIC_CHECK(offsetof(mien_study_change, lost_ml) == 88, place_of_mien_study_change_lost_ml);
+STATIC_CHECK(offsetof(mien_study_change, absolute_ml) == 128, place_of_mien_study_change_absolute_ml);
+STATIC_CHECK(offsetof(mien_study_change, area_change_mm2) == 168, place_of_mien_study_change_area_change_mm2);
+STATIC_CHECK(offsetof(mien_study_change, mean_distance_mm) == 208, place_of_mien_study_change_mean_distance_mm);
+STATIC_CHECK(offsetof(mien_study_change, surface_sd_ml) == 248, place_of_mien_study_change_surface_sd_ml);
+STATIC_CHECK(offsetof(mien_study_change, alignment_sd_ml) == 256, place_of_mien_study_change_alignment_sd_ml);
+STATIC_CHECK(offsetof(mien_study_change, bias_sd_ml) == 264, place_of_mien_study_change_bias_sd_ml);
+STATIC_CHECK(offsetof(mien_study_change, expression_sd_ml) == 272, place_of_mien_study_change_expression_sd_ml);
+STATIC_CHECK(offsetof(mien_study_change, expression_removed_ml) == 280, place_of_mien_study_change_expression_removed_ml);
+STATIC_CHECK(offsetof(mien_study_change, seen_share) == 288, place_of_mien_study_change_seen_share);
+STATIC_CHECK(offsetof(mien_study_change, area_before_mm2) == 296, place_of_mien_study_change_area_before_mm2);
+STATIC_CHECK(offsetof(mien_study_change, area_after_mm2) == 304, place_of_mien_study_change_area_after_mm2);
+STATIC_CHECK(offsetof(mien_study_change, detected) == 312, place_of_mien_study_change_detected);
+STATIC_CHECK(offsetof(mien_study_change, reserved) == 316, place_of_mien_study_change_reserved);
 STATIC_CHECK(sizeof(mien_train_options) == 96, size_of_mien_train_options);
 STATIC_CHECK(offsetof(mien_train_options, struct_size) == 0, place_of_mien_train_options_struct_size);
 STATIC_CHECK(offsetof(mien_train_options, method) == 4, place_of_mien_train_options_method);
@@ -1015,6 +1061,24 @@ JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1registration_1get_1json(JNIEnv *en
     return (jint)mien_registration_get_json((const mien_registration*)(intptr_t)registration, (char*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
 }
 
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1registration_1save(JNIEnv *env, jobject self, jlong session, jlong registration, jlong path, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_registration_save((mien_session*)(intptr_t)session, (const mien_registration*)(intptr_t)registration, (const char*)(intptr_t)path, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1registration_1load(JNIEnv *env, jobject self, jlong session, jlong path, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_registration_load((mien_session*)(intptr_t)session, (const char*)(intptr_t)path, (mien_registration**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1registration_1create(JNIEnv *env, jobject self, jlong session, jlong mesh, jlong weight, jlong residual, jlong standard_deviation, jint quality, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_registration_create((mien_session*)(intptr_t)session, (const mien_mesh*)(intptr_t)mesh, (const mien_array_view*)(intptr_t)weight, (const mien_array_view*)(intptr_t)residual, (const mien_array_view*)(intptr_t)standard_deviation, (int32_t)quality, (mien_registration**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
 JNIEXPORT void JNICALL Java_mien_RawJni_mien_1registration_1retain(JNIEnv *env, jobject self, jlong registration) {
     (void)env;
     (void)self;
@@ -1541,6 +1605,90 @@ JNIEXPORT void JNICALL Java_mien_RawJni_mien_1series_1release(JNIEnv *env, jobje
     (void)env;
     (void)self;
     mien_series_release((mien_series*)(intptr_t)series);
+}
+
+JNIEXPORT void JNICALL Java_mien_RawJni_mien_1study_1options_1init(JNIEnv *env, jobject self, jlong options, jlong struct_size) {
+    (void)env;
+    (void)self;
+    mien_study_options_init((mien_study_options*)(intptr_t)options, (size_t)struct_size);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1study_1create(JNIEnv *env, jobject self, jlong session, jlong registrations, jint registration_count, jlong expressions, jlong options, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_study_create((mien_session*)(intptr_t)session, (const mien_registration* const*)(intptr_t)registrations, (uint32_t)registration_count, (const mien_expression_model*)(intptr_t)expressions, (const mien_study_options*)(intptr_t)options, (mien_study**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1study_1create_1from_1meshes(JNIEnv *env, jobject self, jlong session, jlong faces, jint face_count, jlong normal_sd, jlong weights, jlong expressions, jlong options, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_study_create_from_meshes((mien_session*)(intptr_t)session, (const mien_mesh* const*)(intptr_t)faces, (uint32_t)face_count, (const mien_array_view*)(intptr_t)normal_sd, (const mien_array_view*)(intptr_t)weights, (const mien_expression_model*)(intptr_t)expressions, (const mien_study_options*)(intptr_t)options, (mien_study**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1study_1get_1counts(JNIEnv *env, jobject self, jlong study, jlong visit_count, jlong zone_count, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_study_get_counts((const mien_study*)(intptr_t)study, (uint32_t*)(intptr_t)visit_count, (uint32_t*)(intptr_t)zone_count, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1study_1get_1zone_1name(JNIEnv *env, jobject self, jlong study, jint zone, jlong dst, jlong capacity, jlong count, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_study_get_zone_name((const mien_study*)(intptr_t)study, (int32_t)zone, (char*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1study_1get_1expression(JNIEnv *env, jobject self, jlong study, jint visit, jlong dst, jlong capacity, jlong count, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_study_get_expression((const mien_study*)(intptr_t)study, (int32_t)visit, (char*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1study_1get_1mesh(JNIEnv *env, jobject self, jlong study, jint visit, jint frame, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_study_get_mesh((const mien_study*)(intptr_t)study, (int32_t)visit, (int32_t)frame, (mien_mesh**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1study_1get_1field(JNIEnv *env, jobject self, jlong study, jint visit, jint field, jlong dst, jlong capacity, jlong count, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_study_get_field((const mien_study*)(intptr_t)study, (int32_t)visit, (int32_t)field, (double*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1study_1get_1distances(JNIEnv *env, jobject self, jlong study, jint first, jint second, jlong dst, jlong capacity, jlong count, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_study_get_distances((const mien_study*)(intptr_t)study, (int32_t)first, (int32_t)second, (double*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1study_1get_1alignment(JNIEnv *env, jobject self, jlong study, jint first, jint second, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_study_get_alignment((const mien_study*)(intptr_t)study, (int32_t)first, (int32_t)second, (mien_zone_alignment*)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1study_1get_1change(JNIEnv *env, jobject self, jlong study, jint first, jint second, jint zone, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_study_get_change((const mien_study*)(intptr_t)study, (int32_t)first, (int32_t)second, (int32_t)zone, (mien_study_change*)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1study_1get_1json(JNIEnv *env, jobject self, jlong study, jlong dst, jlong capacity, jlong count, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_study_get_json((const mien_study*)(intptr_t)study, (char*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT void JNICALL Java_mien_RawJni_mien_1study_1retain(JNIEnv *env, jobject self, jlong study) {
+    (void)env;
+    (void)self;
+    mien_study_retain((mien_study*)(intptr_t)study);
+}
+
+JNIEXPORT void JNICALL Java_mien_RawJni_mien_1study_1release(JNIEnv *env, jobject self, jlong study) {
+    (void)env;
+    (void)self;
+    mien_study_release((mien_study*)(intptr_t)study);
 }
 
 JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1template_1check(JNIEnv *env, jobject self, jlong session, jlong template_mesh, jlong landmarks, jint mirror, jlong dst, jlong capacity, jlong count, jlong error) {

@@ -18,7 +18,7 @@ public final class Information {
         return Raw.GET.mien_version_number();
     }
 
-    /** The library's version as text, e.g. "0.1.0". C: mien_version_string(). */
+    /** The library's version as text, e.g. "0.2.0". C: mien_version_string(). */
     public static String versionString() {
         return Call.text(Raw.GET.mien_version_string());
     }

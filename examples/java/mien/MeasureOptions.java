@@ -49,7 +49,10 @@ public final class MeasureOptions implements Record_ {
     }
     public java.util.List<Zone> zones() { return zones; }
 
-    /** #V, mm: deviation of each vertex along the normal; count 0: exact */
+    /**
+     * #V, mm: deviation of each vertex along the normal, as MIEN_REGISTRATION_NORMAL_DEVIATION_MM tells it; count
+     * 0: exact. Without that of either face there is no interval (since 0.2), whatever the alignment's
+     */
     public MeasureOptions beforeSd(Values value) {
         beforeSd = value;
         return this;
@@ -62,7 +65,7 @@ public final class MeasureOptions implements Record_ {
     }
     public Values afterSd() { return afterSd; }
 
-    /** over which errors of a surface go together; default 10 */
+    /** over which errors of a surface go together; default 4, in 0.1: 10 */
     public MeasureOptions correlationLengthMm(double value) {
         correlationLengthMm = value;
         return this;

@@ -40,8 +40,10 @@ public final class Registration extends NativeObject {
     /**
      * Copies a field with one float64 per template vertex. C: mien_registration_get_field().
      * @param field one of MIEN_REGISTRATION_RESIDUAL_MM, MIEN_REGISTRATION_WEIGHT,
-     * MIEN_REGISTRATION_STANDARD_DEVIATION_MM, MIEN_REGISTRATION_RADIUS95_MM. See RegistrationKind.
-     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_NOT_FOUND (no such field)
+     * MIEN_REGISTRATION_STANDARD_DEVIATION_MM, MIEN_REGISTRATION_RADIUS95_MM,
+     * MIEN_REGISTRATION_NORMAL_DEVIATION_MM. See RegistrationKind.
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_NOT_FOUND (no such field, or it is not known of this
+     * registration)
      */
     public double[] field(int field) {
         try (Call call = new Call()) {
@@ -110,5 +112,75 @@ public final class Registration extends NativeObject {
             } while ((capacity = call.more(Raw.GET.mien_registration_get_json(Memory.address(registrationAt), Memory.address(dstAt), capacity, Memory.address(countAt), call.error()), capacity, countAt)) != 0);
             return call.readText(dstAt, call.count(countAt));
         }
+    }
+
+    /**
+     * Keeps a registration as a file: the fitted template, its residuals, weights and deviations, the verdict and
+     * the model's zones, so that visits can be registered today and studied in a year. The scan is not in it. C:
+     * mien_registration_save().
+     * @param path UTF-8; replaced whole.
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_NO_MEMORY,
+     * MIEN_E_CANCELLED
+     */
+    public void save(Session session, String path) {
+        try (Call call = new Call()) {
+            call.lock(session);
+            var sessionAt = call.use(session);
+            var registrationAt = call.use(this);
+            var pathAt = call.text(path);
+            call.check(Raw.GET.mien_registration_save(Memory.address(sessionAt), Memory.address(registrationAt), Memory.address(pathAt), call.error()));
+        }
+    }
+
+    /**
+     * Reads a registration that mien_registration_save() kept. It gives the same bits as the registration itself.
+     * C: mien_registration_load().
+     * @param path UTF-8.
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_BAD_FORMAT,
+     * MIEN_E_CORRUPT, MIEN_E_WRONG_KIND, MIEN_E_UNSUPPORTED_VERSION, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH,
+     * MIEN_E_NO_MEMORY
+     */
+    public static Registration load(Session session, String path) {
+        try (Call call = new Call()) {
+            call.lock(session);
+            var sessionAt = call.use(session);
+            var pathAt = call.text(path);
+            var outAt = call.room(8);
+            call.check(Raw.GET.mien_registration_load(Memory.address(sessionAt), Memory.address(pathAt), Memory.address(outAt), call.error()));
+            return call.keep(new Registration(call.pointer(outAt)));
+        }
+    }
+
+    /**
+     * A registration of a face that was fitted elsewhere, or whose arrays a host kept itself. What is not given
+     * here is zero or empty in it. C: mien_registration_create().
+     * @param mesh the fitted template, mm.
+     * @param quality MIEN_QUALITY_*: the verdict on the fit. See Quality.
+     * @param weight may be left out: not known; #V values, 0 to 1: how far the scan was seen there.
+     * @param residual may be left out: zero; #V values, mm: signed distance to the scan.
+     * @param standardDeviation may be left out: not known; #V values, mm, &gt;= 0: of the place, per axis.
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MISMATCH (lengths),
+     * MIEN_E_NO_MEMORY
+     */
+    public static Registration create(Session session, Mesh mesh, int quality, Values weight, Values residual, Values standardDeviation) {
+        try (Call call = new Call()) {
+            call.lock(session);
+            var sessionAt = call.use(session);
+            var meshAt = call.use(mesh);
+            var weightAt = call.viewOrNull(weight, 1, "weight");
+            var residualAt = call.viewOrNull(residual, 1, "residual");
+            var standardDeviationAt = call.viewOrNull(standardDeviation, 1, "standard_deviation");
+            var outAt = call.room(8);
+            call.check(Raw.GET.mien_registration_create(Memory.address(sessionAt), Memory.address(meshAt), Memory.address(weightAt), Memory.address(residualAt), Memory.address(standardDeviationAt), quality, Memory.address(outAt), call.error()));
+            return call.keep(new Registration(call.pointer(outAt)));
+        }
+    }
+
+    /**
+     * A registration of a face that was fitted elsewhere, or whose arrays a host kept itself. What is not given
+     * here is zero or empty in it. All else as by default.
+     */
+    public static Registration create(Session session, Mesh mesh, int quality) {
+        return create(session, mesh, quality, null, null, null);
     }
 }

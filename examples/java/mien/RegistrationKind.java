@@ -16,4 +16,7 @@ public final class RegistrationKind {
 
     /** the true place lies within, 95 times out of 100 */
     public static final int RADIUS95_MM = 4;
+
+    /** how far the surface may lie off the skin along its normal: what mien_measure_options wants. Since 0.2 */
+    public static final int NORMAL_DEVIATION_MM = 5;
 }

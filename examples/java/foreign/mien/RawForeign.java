@@ -580,6 +580,21 @@ final class RawForeign implements Raw {
         try { return (int) mien_registration_get_json.invokeExact(registration, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
     }
 
+    private final MethodHandle mien_registration_save = library.find("mien_registration_save", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_registration_save(long session, long registration, long path, long error) {
+        try { return (int) mien_registration_save.invokeExact(session, registration, path, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_registration_load = library.find("mien_registration_load", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_registration_load(long session, long path, long out, long error) {
+        try { return (int) mien_registration_load.invokeExact(session, path, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_registration_create = library.find("mien_registration_create", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_INT, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_registration_create(long session, long mesh, long weight, long residual, long standardDeviation, int quality, long out, long error) {
+        try { return (int) mien_registration_create.invokeExact(session, mesh, weight, residual, standardDeviation, quality, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
     private final MethodHandle mien_registration_retain = library.find("mien_registration_retain", FunctionDescriptor.ofVoid(JAVA_LONG));
     @Override public void mien_registration_retain(long registration) {
         try { mien_registration_retain.invokeExact(registration); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
@@ -1018,6 +1033,76 @@ final class RawForeign implements Raw {
     private final MethodHandle mien_series_release = library.find("mien_series_release", FunctionDescriptor.ofVoid(JAVA_LONG));
     @Override public void mien_series_release(long series) {
         try { mien_series_release.invokeExact(series); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_study_options_init = library.find("mien_study_options_init", FunctionDescriptor.ofVoid(JAVA_LONG, JAVA_LONG));
+    @Override public void mien_study_options_init(long options, long structSize) {
+        try { mien_study_options_init.invokeExact(options, structSize); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_study_create = library.find("mien_study_create", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_study_create(long session, long registrations, int registrationCount, long expressions, long options, long out, long error) {
+        try { return (int) mien_study_create.invokeExact(session, registrations, registrationCount, expressions, options, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_study_create_from_meshes = library.find("mien_study_create_from_meshes", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_study_create_from_meshes(long session, long faces, int faceCount, long normalSd, long weights, long expressions, long options, long out, long error) {
+        try { return (int) mien_study_create_from_meshes.invokeExact(session, faces, faceCount, normalSd, weights, expressions, options, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_study_get_counts = library.find("mien_study_get_counts", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_study_get_counts(long study, long visitCount, long zoneCount, long error) {
+        try { return (int) mien_study_get_counts.invokeExact(study, visitCount, zoneCount, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_study_get_zone_name = library.find("mien_study_get_zone_name", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_study_get_zone_name(long study, int zone, long dst, long capacity, long count, long error) {
+        try { return (int) mien_study_get_zone_name.invokeExact(study, zone, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_study_get_expression = library.find("mien_study_get_expression", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_study_get_expression(long study, int visit, long dst, long capacity, long count, long error) {
+        try { return (int) mien_study_get_expression.invokeExact(study, visit, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_study_get_mesh = library.find("mien_study_get_mesh", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_INT, JAVA_INT, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_study_get_mesh(long study, int visit, int frame, long out, long error) {
+        try { return (int) mien_study_get_mesh.invokeExact(study, visit, frame, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_study_get_field = library.find("mien_study_get_field", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_INT, JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_study_get_field(long study, int visit, int field, long dst, long capacity, long count, long error) {
+        try { return (int) mien_study_get_field.invokeExact(study, visit, field, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_study_get_distances = library.find("mien_study_get_distances", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_INT, JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_study_get_distances(long study, int first, int second, long dst, long capacity, long count, long error) {
+        try { return (int) mien_study_get_distances.invokeExact(study, first, second, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_study_get_alignment = library.find("mien_study_get_alignment", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_INT, JAVA_INT, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_study_get_alignment(long study, int first, int second, long out, long error) {
+        try { return (int) mien_study_get_alignment.invokeExact(study, first, second, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_study_get_change = library.find("mien_study_get_change", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_INT, JAVA_INT, JAVA_INT, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_study_get_change(long study, int first, int second, int zone, long out, long error) {
+        try { return (int) mien_study_get_change.invokeExact(study, first, second, zone, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_study_get_json = library.find("mien_study_get_json", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_study_get_json(long study, long dst, long capacity, long count, long error) {
+        try { return (int) mien_study_get_json.invokeExact(study, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_study_retain = library.find("mien_study_retain", FunctionDescriptor.ofVoid(JAVA_LONG));
+    @Override public void mien_study_retain(long study) {
+        try { mien_study_retain.invokeExact(study); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_study_release = library.find("mien_study_release", FunctionDescriptor.ofVoid(JAVA_LONG));
+    @Override public void mien_study_release(long study) {
+        try { mien_study_release.invokeExact(study); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
     }
 
     private final MethodHandle mien_template_check = library.find("mien_template_check", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
