@@ -190,13 +190,15 @@ def write_struct(s, plan):
                   f"            var at = call.Room(sizeof(Native.{name}));", "            Fill(call, at);", f"            var raw = (Native.{name}*)at;",
                   "            raw->progress = call.ProgressFunction(progress);", "            raw->progressUser = call.ProgressUser;",
                   "            raw->cancel = call.CancelToken(cancellationToken);", "            return at;", "        }"]
-    if s.use != "options" and all(f.role in ("scalar", "fixed") for f in fields):
+    if s.use != "options" and all(f.role in ("scalar", "fixed", "struct") for f in fields):
         lines += ["", f"        internal static {name} Read(Call call, IntPtr at)", "        {", f"            var raw = (Native.{name}*)at;",
                   f"            var made = new {name}();"]
         for f in fields:
             if f.role == "scalar":
                 cast = f"({plan.enums[f.enum]})" if f.enum else ""
                 lines.append(f"            made.{pascal(f.name)} = {cast}raw->{word(f.name)};")
+            elif f.role == "struct":
+                lines.append(f"            made.{pascal(f.name)} = {camel(f.base)}.Read(call, (IntPtr)(&raw->{word(f.name)}));")
             elif f.role == "fixed":
                 lines.append(f"            made.{pascal(f.name)} = Call.CopyOut(raw->{word(f.name)}, {f.count[0]});")
         lines += ["            return made;", "        }"]
@@ -209,6 +211,8 @@ def fill_field(f, s, plan):
     if f.role == "scalar":
         kind = NUMBERS[element(f.base, plan.interface)]
         return [f"{raw} = {f'({kind})' if f.enum else ''}{host};"]
+    if f.role == "struct":
+        return [f'call.Required({host}, "{f.name}").Fill(call, (IntPtr)(&{raw}));']
     if f.role == "fixed":
         return [f'Call.CopyIn({host}, {raw}, {f.count[0]}, "{f.name}");']
     if f.role == "text":

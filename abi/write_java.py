@@ -158,6 +158,8 @@ def enum_note(item, plan):
 def get(f, s, dialect, plan):
     """The expression that reads a field of a struct in direct memory."""
     place = dialect.layouts[s.name][1][f.name]
+    if f.role == "struct":
+        return f"{camel(f.base)}.read(call, at, offset + {place})"
     if f.role == "fixed":
         return f"at.doubles(offset + {place}, {f.count[0]})"
     kind = NUMBERS[element(f.base, plan.interface)]
@@ -172,6 +174,8 @@ def put(f, s, host, dialect, plan):
     if f.role == "scalar":
         kind = NUMBERS[element(f.base, plan.interface)]
         return [f"at.bytes.put{BOXES[kind]}({at}, {host});".replace("putByte(", "put(")]
+    if f.role == "struct":
+        return [f'call.required({host}, "{f.name}").fill(call, at, {at});']
     if f.role == "fixed":
         return [f'at.put({at}, {host}, {f.count[0]}, "{f.name}");']
     if f.role == "text":
@@ -245,7 +249,7 @@ def record_class(s, plan, dialect, given):
         for f in scalars_first(fields):
             lines += ["        " + line for line in put(f, s, word(f.name), dialect, plan)]
         lines += ["    }"]
-    if all(f.role in ("scalar", "fixed") for f in fields):
+    if all(f.role in ("scalar", "fixed", "struct") for f in fields):
         lines += ["", f"    static {name} read(Call call, Memory at, int offset) {{", f"        return new {name}("]
         lines += [",\n".join(f"            {get(f, s, dialect, plan)}" for f in fields) + ");", "    }"]
     return "\n".join(lines + ["}"]) + "\n"

@@ -1628,6 +1628,29 @@ namespace Mien
         public double AreaAfterMm2 { get; internal set; }
         /// <summary>1: signed_ml reaches its limit of detection, 0: below it, -1: no limit known</summary>
         public int Detected { get; internal set; }
+
+        internal static StudyChange Read(Call call, IntPtr at)
+        {
+            var raw = (Native.StudyChange*)at;
+            var made = new StudyChange();
+            made.Unknown = (StudyKind)raw->unknown;
+            made.SignedMl = StudyValue.Read(call, (IntPtr)(&raw->signedMl));
+            made.GainedMl = StudyValue.Read(call, (IntPtr)(&raw->gainedMl));
+            made.LostMl = StudyValue.Read(call, (IntPtr)(&raw->lostMl));
+            made.AbsoluteMl = StudyValue.Read(call, (IntPtr)(&raw->absoluteMl));
+            made.AreaChangeMm2 = StudyValue.Read(call, (IntPtr)(&raw->areaChangeMm2));
+            made.MeanDistanceMm = StudyValue.Read(call, (IntPtr)(&raw->meanDistanceMm));
+            made.SurfaceSdMl = raw->surfaceSdMl;
+            made.AlignmentSdMl = raw->alignmentSdMl;
+            made.BiasSdMl = raw->biasSdMl;
+            made.ExpressionSdMl = raw->expressionSdMl;
+            made.ExpressionRemovedMl = raw->expressionRemovedMl;
+            made.SeenShare = raw->seenShare;
+            made.AreaBeforeMm2 = raw->areaBeforeMm2;
+            made.AreaAfterMm2 = raw->areaAfterMm2;
+            made.Detected = raw->detected;
+            return made;
+        }
     }
 
     /// <summary>mien_train_options of the C interface.</summary>

@@ -166,8 +166,10 @@ class Record:
     @classmethod
     def _read(cls, raw: Any) -> Any:
         made = cls.__new__(cls)
-        for name, role, _, count, enum in abi.STRUCTS[cls._name]:
+        for name, role, base, _, enum in abi.STRUCTS[cls._name]:
             value = getattr(raw, name)
+            if role == "struct":
+                setattr(made, _attribute(name), _class_of(base)._read(value))
             if role == "fixed":
                 setattr(made, _attribute(name), numpy.array(value[:]))
             elif role == "scalar":
@@ -306,6 +308,8 @@ class _Arguments:
                 setattr(raw, field, given)
             elif role == "fixed":
                 setattr(raw, field, tuple(given))
+            elif role == "struct":
+                self.fill(base, getattr(raw, field), given)
             elif role == "text":
                 setattr(raw, field, self.text(given))
             elif role == "handle":
