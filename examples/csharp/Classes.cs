@@ -168,7 +168,7 @@ namespace Mien
         Landmarks = 1,
         /// <summary>start_rotation, start_translation, start_scale</summary>
         Pose = 2,
-        /// <summary>over all poses up to 60 degrees off frontal</summary>
+        /// <summary>over all poses, those up to 60 degrees off frontal first</summary>
         Search = 3,
     }
 
@@ -180,6 +180,16 @@ namespace Mien
         Millimetres = 1,
         /// <summary>anything that does not look like millimetres is an error</summary>
         Refuse = 2,
+    }
+
+    /// <summary>What is done about landmarks whose left and right are exchanged.</summary>
+    public enum Sides
+    {
+        /// <summary>MIEN_E_MISMATCH that names them</summary>
+        Refuse = 0,
+        /// <summary>exchange them back and say so in the report</summary>
+        Mend = 1,
+        Ignore = 2,
     }
 
     /// <summary>How far a fit is to be trusted.</summary>
@@ -877,6 +887,8 @@ namespace Mien
             StartTranslation = Call.CopyOut(raw.startTranslation, 3);
             StartScale = raw.startScale;
             ColorFeatures = raw.colorFeatures;
+            UnitToMm = raw.unitToMm;
+            LandmarkSides = (Sides)raw.landmarkSides;
         }
 
         /// <summary>MIEN_GROWTH_*; default constant, with annealed noise</summary>
@@ -919,6 +931,11 @@ namespace Mien
         /// landmarks eyes are seen to be shut; 0: by form alone. Needs landmarks of the 68-point scheme in the model
         /// (brow_*, mouth_outer_*, eye_*) or its zone "lips"</summary>
         public int ColorFeatures { get; set; }
+        /// <summary>one unit of the scan in mm when it is known, e.g. 25.4; 0 (default): by `units` and by the landmarks, which
+        /// settle it</summary>
+        public double UnitToMm { get; set; }
+        /// <summary>MIEN_SIDES_*; default refuse</summary>
+        public Sides LandmarkSides { get; set; }
 
         internal override void Fill(Call call, IntPtr at)
         {
@@ -940,6 +957,8 @@ namespace Mien
             raw->maxAngleDeg = MaxAngleDeg;
             raw->startScale = StartScale;
             raw->colorFeatures = ColorFeatures;
+            raw->unitToMm = UnitToMm;
+            raw->landmarkSides = (int)LandmarkSides;
             raw->landmarks = call.Records(Landmarks, sizeof(Native.ScanLandmark));
             raw->landmarkCount = (ulong)call.Rows(Landmarks, 1, "landmarks");
             Call.CopyIn(StartRotation, raw->startRotation, 9, "start_rotation");
@@ -2349,13 +2368,13 @@ namespace Mien
         /// <summary>Fits a model's template to a scan: start, then rounds of closest points, robust weights and a weighted solve
         /// with the model's prior, at falling noise levels; then a smooth field for the rest of the gap. A fit that cannot
         /// be trusted is not an error: ask mien_registration_get_verdict().</summary>
-        /// <param name="scan">a surface or a cloud of points, any connectivity, any frame; its unit is detected (options.units). Up to 60
-        /// degrees off frontal without landmarks.</param>
+        /// <param name="scan">a surface or a cloud of points, any connectivity, any frame; its unit is detected (options.units), any rotation
+        /// is found.</param>
         /// <param name="options">may be left out: no landmarks, all defaults.</param>
         /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (nothing left after cleaning),
-        /// MIEN_E_MISMATCH (scan_weights), MIEN_E_NOT_FOUND (start by landmarks, fewer than three known to the model),
-        /// MIEN_E_NO_SOLUTION, MIEN_E_UNSUPPORTED_OPTION, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED,
-        /// MIEN_E_CALLBACK</exception>
+        /// MIEN_E_MISMATCH (scan_weights; landmarks whose left and right are exchanged), MIEN_E_NOT_FOUND (start by
+        /// landmarks, fewer than three known to the model), MIEN_E_NO_SOLUTION, MIEN_E_UNSUPPORTED_OPTION,
+        /// MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED, MIEN_E_CALLBACK</exception>
         /// <remarks>C: mien_register()</remarks>
         public Registration Register(Model model, Mesh scan, RegisterOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
         {
@@ -2375,13 +2394,13 @@ namespace Mien
         /// <summary>Fits a model's template to a scan: start, then rounds of closest points, robust weights and a weighted solve
         /// with the model's prior, at falling noise levels; then a smooth field for the rest of the gap. A fit that cannot
         /// be trusted is not an error: ask mien_registration_get_verdict().</summary>
-        /// <param name="scan">a surface or a cloud of points, any connectivity, any frame; its unit is detected (options.units). Up to 60
-        /// degrees off frontal without landmarks.</param>
+        /// <param name="scan">a surface or a cloud of points, any connectivity, any frame; its unit is detected (options.units), any rotation
+        /// is found.</param>
         /// <param name="options">may be left out: no landmarks, all defaults.</param>
         /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (nothing left after cleaning),
-        /// MIEN_E_MISMATCH (scan_weights), MIEN_E_NOT_FOUND (start by landmarks, fewer than three known to the model),
-        /// MIEN_E_NO_SOLUTION, MIEN_E_UNSUPPORTED_OPTION, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED,
-        /// MIEN_E_CALLBACK</exception>
+        /// MIEN_E_MISMATCH (scan_weights; landmarks whose left and right are exchanged), MIEN_E_NOT_FOUND (start by
+        /// landmarks, fewer than three known to the model), MIEN_E_NO_SOLUTION, MIEN_E_UNSUPPORTED_OPTION,
+        /// MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED, MIEN_E_CALLBACK</exception>
         /// <remarks>C: mien_register()</remarks>
         public Task<Registration> RegisterAsync(Model model, Mesh scan, RegisterOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
         {
@@ -3642,10 +3661,10 @@ namespace Mien
         }
 
         /// <summary>Collapses edges of least quadric error until vertex_count vertices are left or no collapse is legal. Every
-        /// vertex that stays is one of the input with its place and colour; texture coordinates are dropped.</summary>
+        /// vertex that stays is one of the input with its place and colour; texture coordinates are dropped. Vertices in
+        /// which fans of triangles merely touch are split first; triangles that fit into no manifold go.</summary>
         /// <param name="vertexCount">at least 4.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY (not
-        /// an oriented manifold: clean it first)</exception>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY</exception>
         /// <remarks>C: mien_mesh_decimate()</remarks>
         public Mesh Decimate(Session session, ulong vertexCount)
         {
@@ -4376,8 +4395,7 @@ namespace Mien
             }
         }
 
-        /// <summary>Makes a list of places from the host's. A place that is not finite, and a repeated placeholder, counts as not
-        /// picked.</summary>
+        /// <summary>Makes a list of places from the host's. A repeated placeholder, such as 0 0 0, counts as not picked.</summary>
         /// <param name="landmarks">landmark_count of them; null allowed when that is 0. Names must differ.</param>
         /// <exception cref="MienException">MIEN_E_INVALID_ARGUMENT, MIEN_E_NO_MEMORY</exception>
         /// <remarks>C: mien_landmarks_create()</remarks>

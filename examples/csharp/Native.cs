@@ -234,6 +234,9 @@ namespace Mien.Native
         public IntPtr cancel;
         public int colorFeatures;
         public uint reserved;
+        public double unitToMm;
+        public int landmarkSides;
+        public uint reserved2;
     }
 
     [StructLayout(LayoutKind.Sequential)]

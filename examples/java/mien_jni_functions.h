@@ -138,7 +138,7 @@ STATIC_CHECK(offsetof(mien_tune_options, cancel) == 88, place_of_mien_tune_optio
 STATIC_CHECK(sizeof(mien_scan_landmark) == 32, size_of_mien_scan_landmark);
 STATIC_CHECK(offsetof(mien_scan_landmark, name) == 0, place_of_mien_scan_landmark_name);
 STATIC_CHECK(offsetof(mien_scan_landmark, position) == 8, place_of_mien_scan_landmark_position);
-STATIC_CHECK(sizeof(mien_register_options) == 256, size_of_mien_register_options);
+STATIC_CHECK(sizeof(mien_register_options) == 272, size_of_mien_register_options);
 STATIC_CHECK(offsetof(mien_register_options, struct_size) == 0, place_of_mien_register_options_struct_size);
 STATIC_CHECK(offsetof(mien_register_options, growth) == 4, place_of_mien_register_options_growth);
 STATIC_CHECK(offsetof(mien_register_options, landmarks) == 8, place_of_mien_register_options_landmarks);
@@ -164,6 +164,9 @@ STATIC_CHECK(offsetof(mien_register_options, progress_user) == 232, place_of_mie
 STATIC_CHECK(offsetof(mien_register_options, cancel) == 240, place_of_mien_register_options_cancel);
 STATIC_CHECK(offsetof(mien_register_options, color_features) == 248, place_of_mien_register_options_color_features);
 STATIC_CHECK(offsetof(mien_register_options, reserved) == 252, place_of_mien_register_options_reserved);
+STATIC_CHECK(offsetof(mien_register_options, unit_to_mm) == 256, place_of_mien_register_options_unit_to_mm);
+STATIC_CHECK(offsetof(mien_register_options, landmark_sides) == 264, place_of_mien_register_options_landmark_sides);
+STATIC_CHECK(offsetof(mien_register_options, reserved2) == 268, place_of_mien_register_options_reserved2);
 STATIC_CHECK(sizeof(mien_fit_verdict) == 80, size_of_mien_fit_verdict);
 STATIC_CHECK(offsetof(mien_fit_verdict, struct_size) == 0, place_of_mien_fit_verdict_struct_size);
 STATIC_CHECK(offsetof(mien_fit_verdict, quality) == 4, place_of_mien_fit_verdict_quality);

@@ -35,8 +35,8 @@ public final class Landmarks extends NativeObject {
     }
 
     /**
-     * Makes a list of places from the host's. A place that is not finite, and a repeated placeholder, counts as
-     * not picked. C: mien_landmarks_create().
+     * Makes a list of places from the host's. A repeated placeholder, such as 0 0 0, counts as not picked. C:
+     * mien_landmarks_create().
      * @param landmarks landmark_count of them; null allowed when that is 0. Names must differ.
      * @throws MienException MIEN_E_INVALID_ARGUMENT, MIEN_E_NO_MEMORY
      */
@@ -51,8 +51,8 @@ public final class Landmarks extends NativeObject {
     }
 
     /**
-     * Makes a list of places from the host's. A place that is not finite, and a repeated placeholder, counts as
-     * not picked. All else as by default.
+     * Makes a list of places from the host's. A repeated placeholder, such as 0 0 0, counts as not picked. All
+     * else as by default.
      */
     public static Landmarks create() {
         return create(null);

@@ -516,11 +516,12 @@ public final class Mesh extends NativeObject {
 
     /**
      * Collapses edges of least quadric error until vertex_count vertices are left or no collapse is legal. Every
-     * vertex that stays is one of the input with its place and colour; texture coordinates are dropped. C:
+     * vertex that stays is one of the input with its place and colour; texture coordinates are dropped. Vertices
+     * in which fans of triangles merely touch are split first; triangles that fit into no manifold go. C:
      * mien_mesh_decimate().
      * @param vertexCount at least 4.
      * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH,
-     * MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY (not an oriented manifold: clean it first)
+     * MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY
      */
     public Mesh decimate(Session session, long vertexCount) {
         try (Call call = new Call()) {

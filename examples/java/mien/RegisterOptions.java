@@ -22,13 +22,15 @@ public final class RegisterOptions implements Record_ {
     private double[] startTranslation;
     private double startScale;
     private int colorFeatures;
+    private double unitToMm;
+    private int landmarkSides;
 
     /** With the library's defaults. */
     public RegisterOptions() {
         try (Call call = new Call()) {
-            Memory at = call.room(256);
+            Memory at = call.room(272);
             int offset = 0;
-            Raw.GET.mien_register_options_init(at.address, 256);
+            Raw.GET.mien_register_options_init(at.address, 272);
             growth = at.bytes.getInt(offset + 4);
             landmarkSigmaMm = at.bytes.getDouble(offset + 24);
             start = at.bytes.getInt(offset + 32);
@@ -46,6 +48,8 @@ public final class RegisterOptions implements Record_ {
             startTranslation = at.doubles(offset + 192, 3);
             startScale = at.bytes.getDouble(offset + 216);
             colorFeatures = at.bytes.getInt(offset + 248);
+            unitToMm = at.bytes.getDouble(offset + 256);
+            landmarkSides = at.bytes.getInt(offset + 264);
         }
     }
 
@@ -186,9 +190,26 @@ public final class RegisterOptions implements Record_ {
     }
     public int colorFeatures() { return colorFeatures; }
 
+    /**
+     * one unit of the scan in mm when it is known, e.g. 25.4; 0 (default): by `units` and by the landmarks, which
+     * settle it
+     */
+    public RegisterOptions unitToMm(double value) {
+        unitToMm = value;
+        return this;
+    }
+    public double unitToMm() { return unitToMm; }
+
+    /** MIEN_SIDES_*; default refuse See Sides. */
+    public RegisterOptions landmarkSides(int value) {
+        landmarkSides = value;
+        return this;
+    }
+    public int landmarkSides() { return landmarkSides; }
+
     @Override
     public void fill(Call call, Memory at, int offset) {
-        Raw.GET.mien_register_options_init(at.address + offset, 256);
+        Raw.GET.mien_register_options_init(at.address + offset, 272);
         at.bytes.putInt(offset + 4, growth);
         at.bytes.putDouble(offset + 24, landmarkSigmaMm);
         at.bytes.putInt(offset + 32, start);
@@ -205,6 +226,8 @@ public final class RegisterOptions implements Record_ {
         at.bytes.putDouble(offset + 112, maxAngleDeg);
         at.bytes.putDouble(offset + 216, startScale);
         at.bytes.putInt(offset + 248, colorFeatures);
+        at.bytes.putDouble(offset + 256, unitToMm);
+        at.bytes.putInt(offset + 264, landmarkSides);
         at.bytes.putLong(offset + 8, Memory.address(call.records(landmarks, 32)));
         at.bytes.putLong(offset + 16, call.rows(landmarks, 1, "landmarks"));
         at.put(offset + 120, startRotation, 9, "start_rotation");
@@ -212,7 +235,7 @@ public final class RegisterOptions implements Record_ {
     }
 
     Memory write(Call call, Progress progress, Cancel cancel) {
-        Memory at = call.room(256);
+        Memory at = call.room(272);
         fill(call, at, 0);
         at.bytes.putLong(224, call.progressFunction(progress));
         at.bytes.putLong(232, call.progressUser());

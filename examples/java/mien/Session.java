@@ -205,14 +205,14 @@ public final class Session extends NativeObject {
      * solve with the model's prior, at falling noise levels; then a smooth field for the rest of the gap. A fit
      * that cannot be trusted is not an error: ask mien_registration_get_verdict(). C: mien_register().
      * @param scan a surface or a cloud of points, any connectivity, any frame; its unit is detected
-     * (options.units). Up to 60 degrees off frontal without landmarks.
+     * (options.units), any rotation is found.
      * @param options may be left out: no landmarks, all defaults.
      * @param progress may be null; returns false to cancel
      * @param cancel may be null; interrupting the thread cancels as well
      * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (nothing left
-     * after cleaning), MIEN_E_MISMATCH (scan_weights), MIEN_E_NOT_FOUND (start by landmarks, fewer than three
-     * known to the model), MIEN_E_NO_SOLUTION, MIEN_E_UNSUPPORTED_OPTION, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY,
-     * MIEN_E_CANCELLED, MIEN_E_CALLBACK
+     * after cleaning), MIEN_E_MISMATCH (scan_weights; landmarks whose left and right are exchanged),
+     * MIEN_E_NOT_FOUND (start by landmarks, fewer than three known to the model), MIEN_E_NO_SOLUTION,
+     * MIEN_E_UNSUPPORTED_OPTION, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED, MIEN_E_CALLBACK
      */
     public Registration register(Model model, Mesh scan, RegisterOptions options, Progress progress, Cancel cancel) {
         try (Call call = new Call()) {

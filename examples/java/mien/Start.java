@@ -13,6 +13,6 @@ public final class Start {
     /** start_rotation, start_translation, start_scale */
     public static final int POSE = 2;
 
-    /** over all poses up to 60 degrees off frontal */
+    /** over all poses, those up to 60 degrees off frontal first */
     public static final int SEARCH = 3;
 }

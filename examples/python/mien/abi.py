@@ -237,6 +237,9 @@ class RegisterOptions(ctypes.Structure):
         ("cancel", ctypes.c_void_p),
         ("color_features", ctypes.c_int32),
         ("reserved", ctypes.c_uint32),
+        ("unit_to_mm", ctypes.c_double),
+        ("landmark_sides", ctypes.c_int32),
+        ("reserved2", ctypes.c_uint32),
     ]
 
 
@@ -714,6 +717,9 @@ STRUCTS = {
         ("cancel", "handle", "mien_cancel", (), ""),
         ("color_features", "scalar", "int32_t", (), ""),
         ("reserved", "reserved", "uint32_t", (), ""),
+        ("unit_to_mm", "scalar", "double", (), ""),
+        ("landmark_sides", "scalar", "int32_t", (), "SIDES"),
+        ("reserved2", "reserved", "uint32_t", (), ""),
     ),
     "mien_fit_verdict": (
         ("struct_size", "struct_size", "uint32_t", (), ""),

@@ -90,6 +90,7 @@ __all__ = [
     "Session",
     "SessionOptions",
     "ShardOptions",
+    "Sides",
     "SpectralBasis",
     "SpectralBasisCounts",
     "SpectralBasisOptions",
@@ -275,7 +276,7 @@ class Start(enum.IntEnum):
     LANDMARKS = 1
     #: start_rotation, start_translation, start_scale
     POSE = 2
-    #: over all poses up to 60 degrees off frontal
+    #: over all poses, those up to 60 degrees off frontal first
     SEARCH = 3
 
 
@@ -286,6 +287,15 @@ class Units(enum.IntEnum):
     MILLIMETRES = 1
     #: anything that does not look like millimetres is an error
     REFUSE = 2
+
+
+class Sides(enum.IntEnum):
+    """What is done about landmarks whose left and right are exchanged."""
+    #: MIEN_E_MISMATCH that names them
+    REFUSE = 0
+    #: exchange them back and say so in the report
+    MEND = 1
+    IGNORE = 2
 
 
 class Quality(enum.IntEnum):
@@ -730,6 +740,11 @@ class RegisterOptions(_Options):
     #: without landmarks eyes are seen to be shut; 0: by form alone. Needs landmarks of the 68-point scheme in
     #: the model (brow_*, mouth_outer_*, eye_*) or its zone "lips"
     color_features: int
+    #: one unit of the scan in mm when it is known, e.g. 25.4; 0 (default): by `units` and by the landmarks,
+    #: which settle it
+    unit_to_mm: float
+    #: MIEN_SIDES_*; default refuse
+    landmark_sides: Sides | int
 
 
 class FitVerdict(_Record):
@@ -1344,13 +1359,13 @@ class Session(_Object):
         """Fits a model's template to a scan: start, then rounds of closest points, robust weights and a weighted solve
         with the model's prior, at falling noise levels; then a smooth field for the rest of the gap. A fit that
         cannot be trusted is not an error: ask mien_registration_get_verdict().
-        scan: a surface or a cloud of points, any connectivity, any frame; its unit is detected (options.units).
-        Up to 60 degrees off frontal without landmarks.
+        scan: a surface or a cloud of points, any connectivity, any frame; its unit is detected (options.units),
+        any rotation is found.
         options: may be left out: no landmarks, all defaults.
         Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (nothing left after
-        cleaning), MIEN_E_MISMATCH (scan_weights), MIEN_E_NOT_FOUND (start by landmarks, fewer than three known
-        to the model), MIEN_E_NO_SOLUTION, MIEN_E_UNSUPPORTED_OPTION, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY,
-        MIEN_E_CANCELLED, MIEN_E_CALLBACK.
+        cleaning), MIEN_E_MISMATCH (scan_weights; landmarks whose left and right are exchanged),
+        MIEN_E_NOT_FOUND (start by landmarks, fewer than three known to the model), MIEN_E_NO_SOLUTION,
+        MIEN_E_UNSUPPORTED_OPTION, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED, MIEN_E_CALLBACK.
         C: mien_register()
         """
         return _run("mien_register", {"model": model, "scan": scan, "options": options, "session": self}, progress=progress, cancel=cancel)[0]
@@ -1911,10 +1926,11 @@ class Mesh(_Object):
 
     def decimate(self, session: Session, vertex_count: int) -> Mesh:
         """Collapses edges of least quadric error until vertex_count vertices are left or no collapse is legal. Every
-        vertex that stays is one of the input with its place and colour; texture coordinates are dropped.
+        vertex that stays is one of the input with its place and colour; texture coordinates are dropped. Vertices
+        in which fans of triangles merely touch are split first; triangles that fit into no manifold go.
         vertex_count: at least 4.
         Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MEMORY_BUDGET,
-        MIEN_E_NO_MEMORY (not an oriented manifold: clean it first).
+        MIEN_E_NO_MEMORY.
         C: mien_mesh_decimate()
         """
         return _run("mien_mesh_decimate", {"session": session, "vertex_count": vertex_count, "mesh": self})[0]
@@ -2265,8 +2281,7 @@ class Landmarks(_Object):
 
     @staticmethod
     def create(landmarks: Sequence[ScanLandmark] | None = None) -> Landmarks:
-        """Makes a list of places from the host's. A place that is not finite, and a repeated placeholder, counts as
-        not picked.
+        """Makes a list of places from the host's. A repeated placeholder, such as 0 0 0, counts as not picked.
         landmarks: landmark_count of them; null allowed when that is 0. Names must differ.
         Fails with MIEN_E_INVALID_ARGUMENT, MIEN_E_NO_MEMORY.
         C: mien_landmarks_create()
@@ -3160,7 +3175,7 @@ def build_id() -> str:
 
 _enums = {"STATUS": Status, "STAGE": Stage, "LOG": Log, "DTYPE": Dtype, "MASS": Mass, "COTANGENTS":
 Cotangents, "METRIC": Metric, "KERNEL": KernelKind, "HEAT": Heat, "MARK": Mark, "GROWTH": Growth, "START":
-Start, "UNITS": Units, "QUALITY": Quality, "REGISTRATION": RegistrationKind, "TRANSFER": Transfer, "FIT":
-Fit, "POSE": Pose, "MAP": MapKind, "ZONE": ZoneKind, "FIELD": Field, "CARRY": Carry, "FEATURES": Features,
-"PLS": Pls, "STUDY": StudyKind, "STUDY_FIELD": StudyField, "TRAIN": Train}
+Start, "UNITS": Units, "SIDES": Sides, "QUALITY": Quality, "REGISTRATION": RegistrationKind, "TRANSFER":
+Transfer, "FIT": Fit, "POSE": Pose, "MAP": MapKind, "ZONE": ZoneKind, "FIELD": Field, "CARRY": Carry,
+"FEATURES": Features, "PLS": Pls, "STUDY": StudyKind, "STUDY_FIELD": StudyField, "TRAIN": Train}
 _register_classes(globals())
