@@ -49,8 +49,9 @@ FitResult alternate(const ExpressionModel& model, const Matrix& gram, const Vect
     return result;
 }
 
-/// Of the variance of all expressions, what a hardly shown expression may differ from its mean by.
-/// With 5e-4 to 3e-3 held-out people at a quarter and at half of an expression end within 5 %.
+/// Of the variance of all expressions, what a hardly shown expression may differ from its mean by;
+/// 0 to 1. Not tuned: the size of PriorOptions::floor_share. On one fold of left-out people 3e-3
+/// (with other intensities) was 5 to 7 % worse at a quarter and at half of an expression.
 constexpr double kWeakFloorShare = 1e-3;
 
 struct PartSolution {

@@ -39,7 +39,8 @@ struct JointFace {
 
 enum class JointNoise { isotropic, along_normal };
 
-/// How the joint answer is looked for. Chosen on the injection study's people of seed 77.
+/// How the joint answer is looked for. Taken over from the visits' fit, not tuned anew; the round
+/// limit is a guard.
 struct JointSearch {
     Index speakers = 3000;  ///< along normals: about so many vertices enter the normal equations,
                             ///< each for its neighbours (modes are smooth), >= 1
