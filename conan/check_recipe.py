@@ -18,7 +18,8 @@ import types
 from pathlib import Path
 
 # Conan's reference name, and CMake's package name, where they are not the same word.
-PACKAGES = {"eigen": "Eigen3", "openmesh": "OpenMesh", "cli11": "CLI11", "libpng": "PNG"}
+PACKAGES = {"eigen": "Eigen3", "openmesh": "OpenMesh", "cli11": "CLI11", "libpng": "PNG",
+            "libjpeg-turbo": "JPEG", "zlib": "ZLIB"}
 faults = []
 
 
@@ -37,10 +38,10 @@ class Settings(types.SimpleNamespace):
 
 class StandIn:
     """What the recipe needs of conan.ConanFile, recording what it asks for."""
-    def __init__(self, folder, exported, shared, cli, system):
+    def __init__(self, folder, exported, shared, cli, system, images=True):
         self.recipe_folder, self.export_sources_folder = str(folder), str(exported)
         self.version = None
-        options = Settings(shared=shared, fPIC=True, cli=cli)
+        options = Settings(shared=shared, fPIC=True, cli=cli, images=images)
         self.options = options
         self.settings = Settings(os=system, compiler=Settings(cppstd="17", libcxx="libstdc++11"))
         self.info = Settings(options=options, settings=Settings(compiler=Settings(cppstd="17", libcxx="libstdc++11")))
@@ -143,11 +144,12 @@ def main():
         conan.package_id()
         compiler = conan.info.settings.compiler
         check(not hasattr(compiler, "cppstd") and not hasattr(compiler, "libcxx"), "a shared package depends on cppstd or libcxx")
-        static = Recipe(project / "conan", exported, shared=False, cli=False, system="Linux")
+        static = Recipe(project / "conan", exported, shared=False, cli=False, system="Linux", images=False)
         static.package_id()
         check(hasattr(static.info.settings.compiler, "libcxx"), "a static package forgets libcxx")
         static.requirements()
         check("cli11" not in static.required, "a package without the command requires cli11")
+        check(not static.required.keys() & {"libjpeg-turbo", "libpng", "zlib"}, "a package without images requires their decoders")
         static.package_info()
         check("MIEN_STATIC" in static.cpp_info.defines and "stdc++" in static.cpp_info.system_libs, "a static package does not link from C")
         windows = Recipe(project / "conan", exported, shared=True, cli=True, system="Windows")

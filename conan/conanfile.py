@@ -21,8 +21,9 @@ class MienConan(ConanFile):
     topics = ("mesh", "registration", "face", "3d", "c-api")
     package_type = "library"
     settings = "os", "arch", "compiler", "build_type"
-    options = {"shared": [True, False], "fPIC": [True, False], "cli": [True, False]}
-    default_options = {"shared": True, "fPIC": True, "cli": True, "openmesh/*:shared": False, "libpng/*:shared": False}
+    options = {"shared": [True, False], "fPIC": [True, False], "cli": [True, False], "images": [True, False]}
+    default_options = {"shared": True, "fPIC": True, "cli": True, "images": True, "openmesh/*:shared": False,
+                       "libpng/*:shared": False, "libjpeg-turbo/*:shared": False, "zlib/*:shared": False}
 
     def set_version(self):
         lists = load(self, os.path.join(self.recipe_folder, os.pardir, "CMakeLists.txt"))
@@ -53,7 +54,11 @@ class MienConan(ConanFile):
         self.requires("openmesh/9.0", transitive_headers=False, transitive_libs=not self.options.shared)
         if self.options.cli:
             self.requires("cli11/2.1.2", **hidden)
+        if self.options.cli or self.options.images:
             self.requires("libpng/[>=1.6.39 <2]", **hidden)
+        if self.options.images:
+            self.requires("libjpeg-turbo/[>=2.1.5 <4]", **hidden)
+            self.requires("zlib/[>=1.2.13 <2]", **hidden)
 
     def validate(self):
         if self.settings.compiler.get_safe("cppstd"):
@@ -72,6 +77,7 @@ class MienConan(ConanFile):
         toolchain = CMakeToolchain(self)
         toolchain.cache_variables["BUILD_SHARED_LIBS"] = bool(self.options.shared)
         toolchain.cache_variables["MIEN_BUILD_CLI"] = bool(self.options.cli)
+        toolchain.cache_variables["MIEN_IMAGES"] = bool(self.options.images)
         toolchain.cache_variables["MIEN_BUILD_TESTS"] = False
         toolchain.cache_variables["MIEN_BUILD_EXAMPLES"] = False
         toolchain.generate()
@@ -96,7 +102,11 @@ class MienConan(ConanFile):
             self.cpp_info.defines = ["MIEN_STATIC"]
             self.cpp_info.requires = ["openmesh::openmesh", "eigen::eigen", "spectra::spectra", "nlohmann_json::nlohmann_json"]
             if self.options.cli:
-                self.cpp_info.requires += ["cli11::cli11", "libpng::libpng"]
+                self.cpp_info.requires += ["cli11::cli11"]
+            if self.options.cli or self.options.images:
+                self.cpp_info.requires += ["libpng::libpng"]
+            if self.options.images:
+                self.cpp_info.requires += ["libjpeg-turbo::libjpeg-turbo", "zlib::zlib"]
             if not windows:
                 self.cpp_info.system_libs = ["m", "pthread"]
             # A program in C does not bring it along.
