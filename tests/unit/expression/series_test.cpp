@@ -16,7 +16,7 @@ using test::study;
 using test::trained_model;
 
 /// Vertex by vertex, as faces in true correspondence are.
-VisitsOptions by_vertex() {
+VisitsOptions series_by_vertex() {
     VisitsOptions options;
     options.noise = JointNoise::isotropic;
     return options;
@@ -34,7 +34,7 @@ TEST(Series, SharesOneIdentityAndBeatsEachScanAlone) {
                                           study().neutral(subject));
         }
         const VisitsResult result =
-            neutralize_visits(Context(), trained_model<8>(), scans, by_vertex());
+            neutralize_visits(Context(), trained_model<8>(), scans, series_by_vertex());
         together += mean_distance(result.shared_vertices, study().neutral(subject));
         ASSERT_EQ(result.neutral_vertices.size(), 4u);
         ASSERT_EQ(result.components.size(), 4u);
@@ -48,8 +48,10 @@ TEST(Series, WeightsOfOneEqualNoWeights) {
         plain.push_back({study().face(61, expression), Vector()});
         weighted.push_back({study().face(61, expression), Vector::Ones(study().rest.rows())});
     }
-    const VisitsResult a = neutralize_visits(Context(), trained_model<8>(), plain, by_vertex());
-    const VisitsResult b = neutralize_visits(Context(), trained_model<8>(), weighted, by_vertex());
+    const VisitsResult a =
+        neutralize_visits(Context(), trained_model<8>(), plain, series_by_vertex());
+    const VisitsResult b =
+        neutralize_visits(Context(), trained_model<8>(), weighted, series_by_vertex());
     EXPECT_LT(mean_distance(a.shared_vertices, b.shared_vertices), 1e-3);
 }
 
@@ -60,7 +62,7 @@ TEST(Series, AChangeInTheTreatedZoneIsKept) {
     std::vector<VisitFace> scans = {{before, Vector()},
                                     {study().face(62, 3), Vector()},
                                     {study().neutral(62) + swelling, Vector()}};
-    VisitsOptions options = by_vertex();
+    VisitsOptions options = series_by_vertex();
     const VisitsResult plain = neutralize_visits(Context(), trained_model<8>(), scans, options);
     for (Index i = 0; i < study().rest.rows(); ++i)
         if (swelling.row(i).norm() > 0.3) options.treated.push_back(static_cast<std::uint32_t>(i));
@@ -81,7 +83,7 @@ TEST(Series, AHoleInOneScanIsFilledFromTheOthers) {
     }
     scans.push_back(torn);
     const VisitsResult result =
-        neutralize_visits(Context(), trained_model<8>(), scans, by_vertex());
+        neutralize_visits(Context(), trained_model<8>(), scans, series_by_vertex());
     ASSERT_TRUE(result.neutral_vertices[3].allFinite());
     const Points truth = study().neutral(63);
     EXPECT_LT(
@@ -93,11 +95,13 @@ TEST(Series, SaysWhenAFaceIsAnotherPersons) {
     std::vector<VisitFace> scans = {{study().face(64, 1), Vector()},
                                     {study().face(64, 2), Vector()},
                                     {study().face(64, 3), Vector()}};
-    const VisitsResult same = neutralize_visits(Context(), trained_model<8>(), scans, by_vertex());
+    const VisitsResult same =
+        neutralize_visits(Context(), trained_model<8>(), scans, series_by_vertex());
     for (std::size_t k = 0; k < 3; ++k)
         EXPECT_TRUE(visit_warnings(trained_model<8>(), same, k).empty()) << k;
     scans.push_back({study().face(65, 2), Vector()});
-    const VisitsResult mixed = neutralize_visits(Context(), trained_model<8>(), scans, by_vertex());
+    const VisitsResult mixed =
+        neutralize_visits(Context(), trained_model<8>(), scans, series_by_vertex());
     EXPECT_FALSE(visit_warnings(trained_model<8>(), mixed, 3).empty());
 }
 
@@ -124,9 +128,9 @@ TEST(Series, LargerMeshesFollowBehindTheRim) {
         larger.push_back(collared);
     }
     const VisitsResult a =
-        neutralize_visit_meshes(Context(), trained_model<8>(), same, {}, by_vertex());
+        neutralize_visit_meshes(Context(), trained_model<8>(), same, {}, series_by_vertex());
     const VisitsResult b =
-        neutralize_visit_meshes(Context(), trained_model<8>(), larger, {}, by_vertex());
+        neutralize_visit_meshes(Context(), trained_model<8>(), larger, {}, series_by_vertex());
     const Index n = study().rest.rows();
     ASSERT_EQ(b.neutral_vertices[1].rows(), n + study().side);
     ASSERT_EQ(b.shared_vertices.rows(), n + study().side);
@@ -139,21 +143,21 @@ TEST(Series, LargerMeshesFollowBehindTheRim) {
                   .maxCoeff(),
               5.0);
     EXPECT_THROW(neutralize_visit_meshes(Context(), trained_model<8>(), {same[0], larger[1]}, {},
-                                         by_vertex()),
+                                         series_by_vertex()),
                  Error);
-    EXPECT_THROW(
-        neutralize_visit_meshes(Context(), trained_model<8>(), larger, {Vector()}, by_vertex()),
-        Error);
-    EXPECT_THROW(neutralize_visit_meshes(Context(), trained_model<8>(), {}, {}, by_vertex()),
+    EXPECT_THROW(neutralize_visit_meshes(Context(), trained_model<8>(), larger, {Vector()},
+                                         series_by_vertex()),
                  Error);
-    VisitsOptions wrong = by_vertex();
+    EXPECT_THROW(neutralize_visit_meshes(Context(), trained_model<8>(), {}, {}, series_by_vertex()),
+                 Error);
+    VisitsOptions wrong = series_by_vertex();
     wrong.treated = {100000};
     EXPECT_THROW(neutralize_visit_meshes(Context(), trained_model<8>(), larger, {}, wrong), Error);
 }
 
 TEST(Series, RefusesNothingAndFitsWithoutAPrior) {
-    EXPECT_THROW(neutralize_visits(Context(), trained_model<8>(), {}, by_vertex()), Error);
-    VisitsOptions options = by_vertex();
+    EXPECT_THROW(neutralize_visits(Context(), trained_model<8>(), {}, series_by_vertex()), Error);
+    VisitsOptions options = series_by_vertex();
     options.fit.method = FitMethod::exact;
     const VisitFace face{study().face(60, 1), Vector()};
     EXPECT_THROW(neutralize_visits(Context(), trained_model<8>(), {face, face}, options), Error);
