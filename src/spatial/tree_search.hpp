@@ -11,7 +11,9 @@ namespace mien::tree_search {
 
 constexpr int kWidth = 8;  // children of a node, triangles of a block
 
-/// Boxes of the children, coordinate by coordinate, rounded outwards.
+/// Boxes of the children, coordinate by coordinate, wider than what they hold by the rounding that
+/// a search within them makes: relative to the box's own largest coordinate, so that one far vertex
+/// does not widen the others.
 struct alignas(32) Node {
     float lower[3][kWidth], upper[3][kWidth];
 };
@@ -22,6 +24,7 @@ struct alignas(32) Node {
 /// edge just that.
 struct alignas(32) Block {
     float normal[4][3][kWidth], offset[4][kWidth];
+    float size[kWidth];  ///< largest coordinate of the triangle, to which its rounding is relative
 };
 
 /// Judges one primitive against what was found so far. Returns the new reach: for points a squared

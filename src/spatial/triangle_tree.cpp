@@ -15,6 +15,11 @@ namespace {
 
 constexpr std::size_t kTaskItems = 4096;  // below this a task sorts a range to the end by itself
 constexpr std::size_t kBoxChunk = 2048;
+constexpr float kBoxMargin = 2e-6f;  // of a box's largest coordinate
+
+float size_of(const Vector3& place) {
+    return static_cast<float>(place.cwiseAbs().maxCoeff());
+}
 
 struct Item {
     float centroid[3];
@@ -39,6 +44,29 @@ void split(Item* begin, Item* end, std::size_t half) {
         return x.centroid[axis] < y.centroid[axis] ||
                (x.centroid[axis] == y.centroid[axis] && x.id < y.id);
     });
+}
+
+// Where the coordinates of the tree's floats begin. The middle of the box, as a rule; but where a
+// few vertices lie so far away that floats from there could not tell the others apart, the middle
+// of the many. From a sample, every coordinate's own.
+Vector3 middle_of(const PointsRef& vertices, const Vector3& low, const Vector3& high) {
+    constexpr Index kSample = 999;
+    constexpr double kFar = 64;  // times the extent of the middle nine tenths of the sample
+    const Index n = vertices.rows(), stride = std::max<Index>(1, n / kSample);
+    Vector3 middle = 0.5 * (low + high);
+    std::vector<double> sample;
+    double extent = 0;
+    Vector3 medians;
+    for (int k = 0; k < 3; ++k) {
+        sample.clear();
+        for (Index i = 0; i < n; i += stride) sample.push_back(vertices(i, k));
+        std::sort(sample.begin(), sample.end());
+        const std::size_t cut = sample.size() / 20;
+        extent = std::max(extent, sample[sample.size() - 1 - cut] - sample[cut]);
+        medians[k] = sample[sample.size() / 2];
+    }
+    if ((high - low).maxCoeff() > kFar * extent && extent > 0) middle = medians;
+    return middle;
 }
 
 const tree_search::Loops& loops() {
@@ -76,11 +104,12 @@ void TriangleTree::sort_primitives(const PointsRef& vertices, const TrianglesRef
         low = low.cwiseMin(vertices.row(i).transpose());
         high = high.cwiseMax(vertices.row(i).transpose());
     }
-    centre_ = 0.5 * (low + high);
+    centre_ = middle_of(vertices, low, high);
     lower_ = low - centre_;
     upper_ = high - centre_;
 
-    extent_ = static_cast<float>(std::max(upper_.cwiseAbs().maxCoeff(), 1e-30)) * 1.001f;
+    const double largest = std::max(lower_.cwiseAbs().maxCoeff(), upper_.cwiseAbs().maxCoeff());
+    extent_ = static_cast<float>(std::max(largest, 1e-30)) * 1.001f;
     places_ = vertices.rowwise() - centre_.transpose();
     const auto corners_of = [&](std::size_t id) -> Corners {
         const auto point = static_cast<std::uint32_t>(id);
@@ -150,11 +179,14 @@ void TriangleTree::build_blocks(const Context& context) {
                         block.offset[plane][lane] = static_cast<float>(offset);
                     };
                     const std::size_t slot = b * kWidth + lane;
+                    block.size[lane] = 0;
                     for (int plane = 0; plane < 4; ++plane)  // nothing lies near a missing triangle
                         set(plane, Vector3::Zero(),
                             slot < count ? 0 : -std::numeric_limits<double>::infinity());
                     if (slot >= count) continue;
                     const Vector3 x[3] = {corner(slot, 0), corner(slot, 1), corner(slot, 2)};
+                    for (const Vector3& place : x)
+                        block.size[lane] = std::max(block.size[lane], size_of(place));
                     const Vector3 cross = (x[1] - x[0]).cross(x[2] - x[0]);
                     const double twice_area = cross.norm(),
                                  longest = std::max({(x[1] - x[0]).squaredNorm(),
@@ -183,8 +215,6 @@ void TriangleTree::build_boxes(const Context& context) {
     level_begin_.push_back(static_cast<std::uint32_t>(total));
     nodes_.resize(total);
 
-    // Wide enough for the rounding of corners and of near query points to float.
-    const float margin = 4e-7f * extent_;
     const float infinity = std::numeric_limits<float>::infinity();
     for (std::size_t level = 0; level + 1 < level_begin_.size(); ++level) {
         const std::size_t first = level_begin_[level], last = level_begin_[level + 1];
@@ -196,15 +226,24 @@ void TriangleTree::build_boxes(const Context& context) {
                     float high[3] = {-infinity, -infinity, -infinity};
                     const std::size_t index = n * kWidth + child;
                     if (level == 0) {
+                        float size = 0;
                         for (std::size_t s = index * block_size_;
                              s < std::min<std::size_t>(count, (index + 1) * block_size_); ++s)
-                            for (int c = 0; c < 3; ++c)
+                            for (int c = 0; c < 3; ++c) {
+                                size = std::max(size, size_of(corner(s, c)));
                                 for (int k = 0; k < 3; ++k) {
                                     const float x =
                                         static_cast<float>(places_(corners_[s].vertex[c], k));
-                                    low[k] = std::min(low[k], x - margin);
-                                    high[k] = std::max(high[k], x + margin);
+                                    low[k] = std::min(low[k], x);
+                                    high[k] = std::max(high[k], x);
                                 }
+                            }
+                        // Wide enough for the rounding of corners, near query points and rays.
+                        const float margin = kBoxMargin * size;
+                        for (int k = 0; k < 3; ++k) {
+                            low[k] -= margin;
+                            high[k] += margin;
+                        }
                     } else if (level_begin_[level - 1] + index < first) {
                         const tree_search::Node& below = nodes_[level_begin_[level - 1] + index];
                         for (int k = 0; k < 3; ++k)

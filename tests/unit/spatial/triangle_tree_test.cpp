@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ctime>
 #include <Eigen/Geometry>
+#include <limits>
 #include <random>
 
 #include "base/dense.hpp"
@@ -292,6 +294,68 @@ TEST(TriangleTree, PlacesBeyondSinglePrecisionFindNothing) {
             EXPECT_FALSE(tree.first_hit(p, Vector3(-1, -1, -1)).valid());
             EXPECT_FALSE(huge.first_hit(p, Vector3(-1, -1, -1)).valid());
             EXPECT_EQ(tree.count_crossings(Vector3(40, 40, 40), p, 1e-3), 0);
+        }
+    }
+}
+
+/// A bumpy sheet with 20000 triangles; the last vertex, which four triangles share, is put at
+/// `far`.
+struct SheetWithAFarVertex {
+    Points vertices;
+    Triangles triangles;
+    explicit SheetWithAFarVertex(double far) : vertices(101 * 101, 3), triangles(20000, 3) {
+        for (Index i = 0; i < vertices.rows(); ++i) {
+            const double x = static_cast<double>(i % 101), y = static_cast<double>(i / 101);
+            vertices.row(i) << x, y, 3 * std::sin(0.2 * x) * std::cos(0.3 * y);
+        }
+        for (Index t = 0; t < 10000; ++t) {
+            const auto a = static_cast<std::uint32_t>(t / 100 * 101 + t % 100);
+            triangles.row(2 * t) << a, a + 1, a + 102;
+            triangles.row(2 * t + 1) << a, a + 102, a + 101;
+        }
+        if (far != 0) vertices.row(vertices.rows() - 1) << far, -far, far;
+    }
+};
+
+double seconds_of_queries(const SheetWithAFarVertex& sheet) {
+    const TriangleTree tree(sheet.vertices, sheet.triangles, Context());
+    const std::clock_t begin = std::clock();
+    for (Index i = 0; i < 3000; ++i) {
+        const Vector3 query(0.03 * static_cast<double>(i), 50, 2);
+        tree.closest(query);
+        tree.count_crossings(query + Vector3(0, 0, 20), Vector3(0.1, 0.2, -1));
+    }
+    return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+}
+
+// Boxes were widened by a share of the whole extent, so one spike made every box as large as the
+// mesh.
+TEST(TriangleTree, OneFarVertexDoesNotSlowTheOthers) {
+    const double plain = seconds_of_queries(SheetWithAFarVertex(0));
+    for (const double far : {1e6, 1e9, 1e12})
+        EXPECT_LT(seconds_of_queries(SheetWithAFarVertex(far)), 8 * plain + 0.05) << far;
+}
+
+TEST(TriangleTree, AnswersBesideAFarVertexAreExact) {
+    for (const double far : {1e6, 1e9, 1e12}) {
+        const SheetWithAFarVertex sheet(far);
+        const TriangleTree tree(sheet.vertices, sheet.triangles, Context());
+        for (int i = 0; i < 60; ++i) {
+            const Vector3 query(1.7 * i, 100 - 1.3 * i, i % 7);
+            double best = std::numeric_limits<double>::infinity();
+            for (Index t = 0; t < sheet.triangles.rows(); ++t)
+                best =
+                    std::min(best, closest_on_triangle(
+                                       query, sheet.vertices.row(sheet.triangles(t, 0)).transpose(),
+                                       sheet.vertices.row(sheet.triangles(t, 1)).transpose(),
+                                       sheet.vertices.row(sheet.triangles(t, 2)).transpose())
+                                       .squared_distance);
+            EXPECT_NEAR(std::sqrt(tree.closest(query).squared_distance), std::sqrt(best),
+                        1e-15 * far + 1e-12)
+                << far;
+            const Index crossings =
+                tree.count_crossings(Vector3(0.5 + i, 40.3, 50), Vector3(0, 0, -1), 100);
+            EXPECT_EQ(crossings, 1) << far;
         }
     }
 }
