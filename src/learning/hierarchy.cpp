@@ -37,6 +37,19 @@ MeshHierarchy with_finest(const TriMesh& mesh, const char* kind) {
     return hierarchy;
 }
 
+/// More entries of a sampling matrix than this (4 GB) come of a mesh that is none of a face: a
+/// vertex with thousands of neighbours is in everybody's neighbourhood.
+constexpr std::size_t kMostEntries = std::size_t(1) << 28;
+
+void check_entries(std::size_t count, const Context& context) {
+    context.check_cancelled();
+    if (count > kMostEntries)
+        fail(Status::invalid_mesh,
+             "the neighbourhoods of the hierarchy hold more than %zu vertices together; use a mesh "
+             "without vertices of thousands of neighbours, or a smaller radius",
+             kMostEntries);
+}
+
 void add_csr(std::vector<TensorToWrite>& tensors, const std::string& name, const RowSparse& m) {
     tensors.push_back(
         {name + ".values", DType::f64, {static_cast<std::uint64_t>(m.nonZeros())}, m.valuePtr()});
@@ -150,6 +163,7 @@ std::shared_ptr<const MeshHierarchy> connectivity_hierarchy(const TriMesh& mesh,
         std::vector<double> received(static_cast<std::size_t>(n), 0);
         for (Index i = 0; i < m; ++i) {
             const auto& members = ball.within(level.kept[static_cast<std::size_t>(i)], radius);
+            check_entries(down.size() + members.size(), context);
             for (const std::uint32_t w : members) {
                 down.emplace_back(i, w, 1.0 / static_cast<double>(members.size()));
                 received[w] += 1;
@@ -170,6 +184,7 @@ std::shared_ptr<const MeshHierarchy> connectivity_hierarchy(const TriMesh& mesh,
                     coarse.neighbours.push_back(static_cast<std::uint32_t>(coarse_of[w]));
             std::sort(coarse.neighbours.begin() + coarse.begin.back(), coarse.neighbours.end());
             coarse.begin.push_back(static_cast<std::uint32_t>(coarse.neighbours.size()));
+            check_entries(coarse.neighbours.size(), context);
         }
         level.mesh.vertices.resize(m, 3);
         for (Index i = 0; i < m; ++i)

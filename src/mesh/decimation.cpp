@@ -4,12 +4,68 @@
 #include <array>
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
+#include <OpenMesh/Tools/Decimater/Observer.hh>
 
 #include "base/error.hpp"
 #include "mesh/half_edge.hpp"
 
 namespace mien {
 namespace {
+
+/// More neighbours than this make a vertex a hub, which stays where it is and takes part in no
+/// collapse: what the decimater asks about a vertex takes the square of its neighbours, and it asks
+/// after each collapse beside it.
+constexpr unsigned kHubValence = 128;
+
+/// The mesh as the decimater sees it: hubs have no way to collapse, and looking for one costs
+/// nothing.
+class DecimatedHalfEdges : public HalfEdgeMesh {
+  public:
+    explicit DecimatedHalfEdges(const HalfEdgeMesh& mesh)
+        : HalfEdgeMesh(mesh), hub_(mesh.n_vertices()) {
+        for (const auto v : vertices())
+            hub_[static_cast<std::size_t>(v.idx())] = valence(v) > kHubValence;
+    }
+    bool is_hub(VertexHandle v) const { return hub_[static_cast<std::size_t>(v.idx())]; }
+
+    /// What the decimater walks to find a vertex's best collapse.
+    class VertexOHalfedgeIter {
+      public:
+        VertexOHalfedgeIter(const DecimatedHalfEdges& mesh, VertexHandle v)
+            : walk_(mesh, v), none_(mesh.is_hub(v)) {}
+        bool is_valid() const { return !none_ && walk_.is_valid(); }
+        void operator++() { ++walk_; }
+        HalfedgeHandle operator*() const { return *walk_; }
+
+      private:
+        HalfEdgeMesh::ConstVertexOHalfedgeIter walk_;
+        bool none_;
+    };
+    bool is_collapse_ok(HalfedgeHandle h) {
+        return !is_hub(to_vertex_handle(h)) && !is_hub(from_vertex_handle(h)) &&
+               HalfEdgeMesh::is_collapse_ok(h);
+    }
+    HalfedgeHandle find_halfedge(VertexHandle from, VertexHandle to) const {
+        if (!is_hub(from)) return HalfEdgeMesh::find_halfedge(from, to);
+        const HalfedgeHandle back = HalfEdgeMesh::find_halfedge(to, from);
+        return back.is_valid() ? opposite_halfedge_handle(back) : back;
+    }
+
+  private:
+    std::vector<bool> hub_;
+};
+
+/// Stops the decimater when the call is cancelled, and tells how far it is.
+class Watch : public OpenMesh::Decimater::Observer {
+  public:
+    explicit Watch(const Context& context) : Observer(256), context_(context) {}
+    // Between two collapses: an exception here leaves nothing half done.
+    void notify(size_t) override { context_.check_cancelled(); }
+    bool abort() const override { return false; }
+
+  private:
+    const Context& context_;
+};
 
 /// Borders may shrink along themselves, never be pulled inwards.
 template <class MeshT>
@@ -34,21 +90,22 @@ DecimatedMesh decimate(const TriMesh& mesh, Index num_vertices, const Context& c
              static_cast<long long>(num_vertices));
     context.check_cancelled();
     context.require_memory(static_cast<std::size_t>(mesh.vertices.rows()) * 600, "decimation");
-    HalfEdgeMesh half_edges = build_half_edge_mesh(mesh, "the mesh to decimate", context);
+    DecimatedHalfEdges half_edges(build_half_edge_mesh(mesh, "the mesh to decimate", context));
     OpenMesh::VPropHandleT<std::uint32_t> original;
     half_edges.add_property(original);
     for (Index v = 0; v < mesh.vertices.rows(); ++v)
         half_edges.property(original, half_edges.vertex_handle(static_cast<unsigned>(v))) =
             static_cast<std::uint32_t>(v);
-    OpenMesh::Decimater::DecimaterT<HalfEdgeMesh> decimater(half_edges);
-    OpenMesh::Decimater::ModQuadricT<HalfEdgeMesh>::Handle quadric;
-    BorderModule<HalfEdgeMesh>::Handle border;
+    OpenMesh::Decimater::DecimaterT<DecimatedHalfEdges> decimater(half_edges);
+    OpenMesh::Decimater::ModQuadricT<DecimatedHalfEdges>::Handle quadric;
+    BorderModule<DecimatedHalfEdges>::Handle border;
     decimater.add(quadric);
     decimater.add(border);
     decimater.module(quadric).unset_max_err();
     if (!decimater.initialize()) fail(Status::internal, "the decimation modules do not fit");
+    Watch watch(context);
+    decimater.set_observer(&watch);
     decimater.decimate_to(static_cast<std::size_t>(num_vertices));
-    context.check_cancelled();
     half_edges.garbage_collection();
 
     // Ascending fine indices, whatever order garbage collection left.
