@@ -32,12 +32,16 @@ std::vector<std::uint8_t> find_border(Index num_vertices, const Triangles& trian
             other[next[std::min(a, b)]++] = std::max(a, b);
         }
     std::vector<std::uint8_t> border(n, 0);
-    for (std::size_t i = 0; i < n; ++i)
-        for (std::uint32_t e = begin[i]; e < begin[i + 1]; ++e) {
-            std::size_t uses = 0;
-            for (std::uint32_t f = begin[i]; f < begin[i + 1]; ++f) uses += other[f] == other[e];
-            if (uses == 1) border[i] = border[other[e]] = 1;
+    for (std::size_t i = 0; i < n; ++i) {
+        // Equal ends side by side: a vertex may have as many triangles as the scan.
+        const auto first = other.begin() + begin[i], last = other.begin() + begin[i + 1];
+        std::sort(first, last);
+        for (auto e = first; e != last;) {
+            const auto next_end = std::find_if(e, last, [e](std::uint32_t v) { return v != *e; });
+            if (next_end - e == 1) border[i] = border[*e] = 1;
+            e = next_end;
         }
+    }
     return border;
 }
 
