@@ -15,9 +15,14 @@ Similarity align_points(const PointsRef& source, const PointsRef& target, const 
              static_cast<long long>(weights.size()));
     const Vector w = weights.size() != 0 ? weights : Vector::Ones(source.rows());
     const double total = w.sum();
-    if (source.rows() < 3 || !(total > 0) || !(w.minCoeff() >= 0))
+    if (source.rows() < 3)
+        fail(Status::no_solution, "alignment needs at least 3 points, got %lld",
+             static_cast<long long>(source.rows()));
+    if (!(w.minCoeff() >= 0))
+        fail(Status::no_solution, "a weight of the alignment is below zero or not a number");
+    if (!(total > 0))
         fail(Status::no_solution,
-             "alignment needs at least 3 points with non-negative weights, got %lld",
+             "none of the %lld points to align has a weight above zero, as after a fit that failed",
              static_cast<long long>(source.rows()));
 
     const Eigen::RowVector3d source_centre = (w.transpose() * source) / total;
