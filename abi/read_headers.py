@@ -310,6 +310,9 @@ def read_header(path, interface, problems):
         if reader.kind() == "directive":  # a comment before it is its own
             reader.take()
             continue
+        if comment_raw and reader.kind() == "doc":
+            problems.append(f"{where}: a comment that belongs to no declaration")
+            continue
         comment = plain(comment_raw)
         word = reader.take()
         if word == "extern":

@@ -114,6 +114,16 @@ class HeaderParser(unittest.TestCase):
             with self.assertRaises(HeaderError):
                 read_interface(include)
 
+    def test_a_comment_without_a_declaration_is_named_and_the_rest_read(self):
+        with tempfile.TemporaryDirectory() as folder:
+            include = Path(folder) / "mien"
+            shutil.copytree(PROJECT / "include/mien", include)
+            mesh = include / "mesh.h"
+            mesh.write_text(mesh.read_text().replace("MIEN_API void MIEN_CALL mien_mesh_retain(mien_mesh* mesh);", ""))
+            interface, problems = read_interface(include, strict=False)
+            self.assertNotIn("mien_mesh_retain", [f.name for f in interface.functions])
+            self.assertTrue(any("mesh.h:" in p and "belongs to no declaration" in p for p in problems), problems)
+
     def test_the_data_say_what_a_binding_needs(self):
         data = as_data(read_interface(PROJECT / "include/mien"))
         register = next(f for f in data["functions"] if f["name"] == "mien_register")
