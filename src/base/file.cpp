@@ -1,31 +1,16 @@
 #include "base/file.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <cerrno>
 #include <cstdint>
-#include <cstdio>
 #include <cstring>
 #include <limits>
 #include <new>
 
 #include "base/error.hpp"
+#include "base/file_system.hpp"
 
-#if defined(_WIN32)
-#ifndef WIN32_LEAN_AND_MEAN
-#define WIN32_LEAN_AND_MEAN
-#endif
-#ifndef NOMINMAX
-#define NOMINMAX
-#endif
-#include <windows.h>
-#else
-#include <fcntl.h>
+#if !defined(_WIN32)
 #include <sys/mman.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
-#include <cstdlib>
 #endif
 
 namespace mien {
@@ -43,11 +28,7 @@ std::string shown_path(const std::string& path) {
     return shown;
 }
 
-namespace {
-
-constexpr std::size_t kBufferBytes = std::size_t(1) << 18;
-/// One system call moves at most this much: some systems fail beyond 2 GB.
-constexpr std::size_t kLargestCall = std::size_t(1) << 26;
+namespace file_system {
 
 void check_path(const std::string& path) {
     if (path.empty()) fail(Status::invalid_argument, "the path of the file is empty");
@@ -56,17 +37,7 @@ void check_path(const std::string& path) {
              shown_path(path).c_str());
 }
 
-std::atomic<unsigned> temporary_counter{0};
-
-std::string temporary_name(unsigned long process) {
-    char name[64];
-    std::snprintf(name, sizeof name, ".mien-%lu-%u.tmp", process, temporary_counter++);
-    return name;
-}
-
 #if defined(_WIN32)
-
-using NativePath = std::wstring;
 
 NativePath native(const std::string& path) {
     check_path(path);
@@ -107,52 +78,6 @@ NativePath native(const std::string& path) {
         fail(Status::io, "cannot %s '%s': %s", action, shown_path(path).c_str(), reason);
     fail(Status::io, "cannot %s '%s': system error %lu", action, shown_path(path).c_str(), code);
 }
-
-class OpenFile {
-  public:
-    explicit OpenFile(const std::string& path) : path_(path) {
-        handle_ =
-            CreateFileW(native(path).c_str(), GENERIC_READ, FILE_SHARE_READ | FILE_SHARE_DELETE,
-                        nullptr, OPEN_EXISTING, FILE_ATTRIBUTE_NORMAL, nullptr);
-        if (handle_ == INVALID_HANDLE_VALUE) fail_io("open", path, GetLastError());
-        LARGE_INTEGER bytes;
-        if (GetFileType(handle_) != FILE_TYPE_DISK || !GetFileSizeEx(handle_, &bytes)) {
-            CloseHandle(handle_);
-            fail(Status::io, "'%s' is not a regular file", shown_path(path).c_str());
-        }
-        if (static_cast<unsigned long long>(bytes.QuadPart) >
-            std::numeric_limits<std::size_t>::max() / 2) {
-            CloseHandle(handle_);
-            fail(Status::io, "'%s' is too large for this machine", shown_path(path).c_str());
-        }
-        size = static_cast<std::size_t>(bytes.QuadPart);
-    }
-    ~OpenFile() { CloseHandle(handle_); }
-    OpenFile(const OpenFile&) = delete;
-    OpenFile& operator=(const OpenFile&) = delete;
-
-    std::size_t read(char* target, std::size_t bytes) {
-        DWORD got = 0;
-        if (!ReadFile(handle_, target, static_cast<DWORD>(bytes), &got, nullptr))
-            fail_io("read", path_, GetLastError());
-        return got;
-    }
-    std::shared_ptr<const void> map() {
-        HANDLE mapping = CreateFileMappingW(handle_, nullptr, PAGE_READONLY, 0, 0, nullptr);
-        if (mapping == nullptr) fail_io("map", path_, GetLastError());
-        void* address = MapViewOfFile(mapping, FILE_MAP_READ, 0, 0, 0);
-        const DWORD code = GetLastError();
-        CloseHandle(mapping);
-        if (address == nullptr) fail_io("map", path_, code);
-        return std::shared_ptr<const void>(address, [](const void* p) { UnmapViewOfFile(p); });
-    }
-
-    std::size_t size = 0;
-
-  private:
-    const std::string& path_;
-    HANDLE handle_;
-};
 
 #else
 
@@ -205,6 +130,64 @@ class OpenFile {
         fail(Status::io, "cannot %s '%s': %s", action, shown_path(path).c_str(), reason);
     fail(Status::io, "cannot %s '%s': system error %d", action, shown_path(path).c_str(), code);
 }
+
+#endif
+
+}  // namespace file_system
+
+namespace {
+
+using namespace file_system;
+
+#if defined(_WIN32)
+
+class OpenFile {
+  public:
+    explicit OpenFile(const std::string& path) : path_(path) {
+        handle_ =
+            CreateFileW(native(path).c_str(), GENERIC_READ, FILE_SHARE_READ | FILE_SHARE_DELETE,
+                        nullptr, OPEN_EXISTING, FILE_ATTRIBUTE_NORMAL, nullptr);
+        if (handle_ == INVALID_HANDLE_VALUE) fail_io("open", path, GetLastError());
+        LARGE_INTEGER bytes;
+        if (GetFileType(handle_) != FILE_TYPE_DISK || !GetFileSizeEx(handle_, &bytes)) {
+            CloseHandle(handle_);
+            fail(Status::io, "'%s' is not a regular file", shown_path(path).c_str());
+        }
+        if (static_cast<unsigned long long>(bytes.QuadPart) >
+            std::numeric_limits<std::size_t>::max() / 2) {
+            CloseHandle(handle_);
+            fail(Status::io, "'%s' is too large for this machine", shown_path(path).c_str());
+        }
+        size = static_cast<std::size_t>(bytes.QuadPart);
+    }
+    ~OpenFile() { CloseHandle(handle_); }
+    OpenFile(const OpenFile&) = delete;
+    OpenFile& operator=(const OpenFile&) = delete;
+
+    std::size_t read(char* target, std::size_t bytes) {
+        DWORD got = 0;
+        if (!ReadFile(handle_, target, static_cast<DWORD>(bytes), &got, nullptr))
+            fail_io("read", path_, GetLastError());
+        return got;
+    }
+    std::shared_ptr<const void> map() {
+        HANDLE mapping = CreateFileMappingW(handle_, nullptr, PAGE_READONLY, 0, 0, nullptr);
+        if (mapping == nullptr) fail_io("map", path_, GetLastError());
+        void* address = MapViewOfFile(mapping, FILE_MAP_READ, 0, 0, 0);
+        const DWORD code = GetLastError();
+        CloseHandle(mapping);
+        if (address == nullptr) fail_io("map", path_, code);
+        return std::shared_ptr<const void>(address, [](const void* p) { UnmapViewOfFile(p); });
+    }
+
+    std::size_t size = 0;
+
+  private:
+    const std::string& path_;
+    HANDLE handle_;
+};
+
+#else
 
 class OpenFile {
   public:
@@ -298,156 +281,6 @@ FileBytes read_whole_file(const std::string& path, const Context& context) {
     bytes.data = copy.get();
     bytes.storage = std::move(copy);
     return bytes;
-}
-
-#if defined(_WIN32)
-
-struct AtomicFile::State {
-    std::string path;
-    NativePath target, temporary;
-    HANDLE handle = INVALID_HANDLE_VALUE;
-    std::unique_ptr<char[]> buffer;
-    std::size_t filled = 0;
-
-    explicit State(const std::string& p) : path(p), target(native(p)) {
-        const DWORD attributes = GetFileAttributesW(target.c_str());
-        if (attributes != INVALID_FILE_ATTRIBUTES && (attributes & FILE_ATTRIBUTE_DIRECTORY))
-            fail(Status::io, "cannot write '%s': it is a folder", shown_path(path).c_str());
-        const std::size_t slash = target.find_last_of(L"/\\:");
-        const NativePath folder =
-            slash == NativePath::npos ? NativePath() : target.substr(0, slash + 1);
-        for (;;) {
-            const std::string name = temporary_name(GetCurrentProcessId());
-            temporary = folder + NativePath(name.begin(), name.end());
-            handle = CreateFileW(temporary.c_str(), GENERIC_WRITE, 0, nullptr, CREATE_NEW,
-                                 FILE_ATTRIBUTE_NORMAL, nullptr);
-            if (handle != INVALID_HANDLE_VALUE) return;
-            if (GetLastError() != ERROR_FILE_EXISTS) fail_io("create", path, GetLastError());
-        }
-    }
-    ~State() {
-        if (handle != INVALID_HANDLE_VALUE) CloseHandle(handle);
-        if (!temporary.empty()) DeleteFileW(temporary.c_str());
-    }
-    void put(const char* data, std::size_t size) {
-        while (size != 0) {
-            DWORD done = 0;
-            if (!WriteFile(handle, data, static_cast<DWORD>(std::min(size, kLargestCall)), &done,
-                           nullptr))
-                fail_io("write", path, GetLastError());
-            data += done;
-            size -= done;
-        }
-    }
-    void finish() {
-        if (!FlushFileBuffers(handle)) fail_io("write", path, GetLastError());
-        const bool closed = CloseHandle(handle) != 0;
-        handle = INVALID_HANDLE_VALUE;
-        if (!closed || !MoveFileExW(temporary.c_str(), target.c_str(),
-                                    MOVEFILE_REPLACE_EXISTING | MOVEFILE_WRITE_THROUGH))
-            fail_io("replace", path, GetLastError());
-        temporary.clear();
-    }
-};
-
-#else
-
-struct AtomicFile::State {
-    std::string path, target, temporary, folder;
-    int descriptor = -1;
-    std::unique_ptr<char[]> buffer;
-    std::size_t filled = 0;
-
-    explicit State(const std::string& p) : path(p), target(p) {
-        check_path(path);
-        struct stat info;
-        const bool exists = ::stat(path.c_str(), &info) == 0;
-        if (exists && S_ISDIR(info.st_mode)) fail_io("write", path, EISDIR);
-        if (exists && !S_ISREG(info.st_mode))
-            fail(Status::io, "cannot write '%s': it is not a regular file",
-                 shown_path(path).c_str());
-        if (exists) {
-            std::unique_ptr<char, void (*)(void*)> real(::realpath(path.c_str(), nullptr),
-                                                        std::free);
-            if (real != nullptr) target = real.get();
-        }
-        const std::size_t slash = target.rfind('/');
-        folder = slash == std::string::npos ? "." : target.substr(0, slash + 1);
-        const std::string prefix = slash == std::string::npos ? "" : folder;
-        do {
-            temporary = prefix + temporary_name(static_cast<unsigned long>(::getpid()));
-            descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        } while (descriptor < 0 && (errno == EEXIST || errno == EINTR));
-        if (descriptor < 0) {
-            const int code = errno;
-            temporary.clear();
-            fail_io("create", path, code);
-        }
-        // A file system without permissions refuses, and the file is fine all the same.
-        if (exists && ::fchmod(descriptor, info.st_mode & 07777) != 0) errno = 0;
-    }
-    ~State() {
-        if (descriptor >= 0) ::close(descriptor);
-        if (!temporary.empty()) ::unlink(temporary.c_str());
-    }
-    void put(const char* data, std::size_t size) {
-        while (size != 0) {
-            const ssize_t done = ::write(descriptor, data, std::min(size, kLargestCall));
-            if (done < 0 && errno == EINTR) continue;
-            if (done < 0) fail_io("write", path, errno);
-            data += done;
-            size -= static_cast<std::size_t>(done);
-        }
-    }
-    void finish() {
-        // Some network file systems cannot flush (EINVAL); a failed flush of data they can is real.
-        if (::fsync(descriptor) != 0 && errno != EINVAL && errno != ENOTSUP)
-            fail_io("write", path, errno);
-        const int closed = ::close(descriptor);
-        const int code = errno;
-        descriptor = -1;
-        if (closed != 0 && code != EINTR) fail_io("write", path, code);
-        if (::rename(temporary.c_str(), target.c_str()) != 0) fail_io("replace", path, errno);
-        temporary.clear();
-        // The new name itself reaches the disk with its folder; a folder that refuses is no error.
-        const int folder_descriptor = ::open(folder.c_str(), O_RDONLY | O_CLOEXEC | O_DIRECTORY);
-        if (folder_descriptor >= 0) {
-            (void)::fsync(folder_descriptor);
-            ::close(folder_descriptor);
-        }
-    }
-};
-
-#endif
-
-// The destructor of a half-built State does not run, so the buffer comes before the file exists.
-AtomicFile::AtomicFile(const std::string& path) {
-    std::unique_ptr<char[]> buffer(new char[kBufferBytes]);
-    state_ = std::make_unique<State>(path);
-    state_->buffer = std::move(buffer);
-}
-
-AtomicFile::~AtomicFile() = default;
-
-void AtomicFile::write(const void* data, std::size_t size) {
-    State& s = *state_;
-    if (size >= kBufferBytes - s.filled) {
-        s.put(s.buffer.get(), s.filled);
-        s.filled = 0;
-    }
-    if (size >= kBufferBytes) {
-        s.put(static_cast<const char*>(data), size);
-    } else if (size != 0) {
-        std::memcpy(s.buffer.get() + s.filled, data, size);
-        s.filled += size;
-    }
-}
-
-void AtomicFile::commit() {
-    State& s = *state_;
-    s.put(s.buffer.get(), s.filled);
-    s.filled = 0;
-    s.finish();
 }
 
 }  // namespace mien

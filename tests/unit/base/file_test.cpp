@@ -2,12 +2,18 @@
 
 #include <gtest/gtest.h>
 #if !defined(_WIN32)
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
 #endif
+#include <cstdio>
+#include <thread>
+#include <vector>
 
 #include "base/error.hpp"
 #include "unit/scratch.hpp"
@@ -126,6 +132,117 @@ TEST(AtomicFile, AFullDiskLeavesTheOldFileWhole) {
     EXPECT_EQ(status, Status::io);
     EXPECT_EQ(read_bytes(path), "old");
     EXPECT_EQ(folder.num_entries(), 1u);
+}
+
+// Without the guard in AtomicFile the kernel's SIGXFSZ ends the process.
+TEST(AtomicFile, AFileBeyondTheProcesssLimitIsAnErrorAndNoSignal) {
+    ScratchFolder folder;
+    const std::string path = folder / "model.bin";
+    const pid_t child = fork();
+    if (child == 0) {
+        const struct rlimit small = {1 << 20, 1 << 20};
+        setrlimit(RLIMIT_FSIZE, &small);
+        const Status status = status_of([&] {
+            AtomicFile file(path);
+            file.write(std::string(3 << 20, 'n'));
+            file.commit();
+        });
+        _exit(status == Status::io ? 0 : 1);
+    }
+    int how = 0;
+    ASSERT_EQ(waitpid(child, &how, 0), child);
+    EXPECT_TRUE(WIFEXITED(how) && WEXITSTATUS(how) == 0);
+    EXPECT_EQ(folder.num_entries(), 0u);
+}
+
+/// The number of files after a writer was killed with its bytes written and not yet committed.
+std::size_t entries_after_a_kill(const ScratchFolder& folder, const std::string& path) {
+    int ready[2];
+    EXPECT_EQ(pipe(ready), 0);
+    const pid_t child = fork();
+    if (child == 0) {
+        AtomicFile file(path);
+        file.write(std::string(3 << 20, 'n'));
+        (void)!write(ready[1], "r", 1);
+        pause();
+    }
+    char byte = 0;
+    EXPECT_EQ(read(ready[0], &byte, 1), 1);
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    close(ready[0]);
+    close(ready[1]);
+    return folder.num_entries();
+}
+
+TEST(AtomicFile, AKilledWriterLeavesTheOldFileAndTheNextWriterNothingElse) {
+    ScratchFolder folder;
+    const std::string path = folder / "model.bin";
+    write_bytes(path, "old");
+    for (int round = 0; round < 5; ++round) EXPECT_LE(entries_after_a_kill(folder, path), 2u);
+    EXPECT_EQ(read_bytes(path), "old");
+    AtomicFile file(path);
+    file.write("new");
+    file.commit();
+    EXPECT_EQ(read_bytes(path), "new");
+    EXPECT_EQ(folder.num_entries(), 1u);
+}
+
+/// The name of a target's temporaries, as atomic_file.cpp makes it.
+std::string temporary_of(const std::string& name, unsigned slot) {
+    std::uint64_t hash = 0xcbf29ce484222325u;
+    for (const char c : name) hash = (hash ^ static_cast<std::uint64_t>(c)) * 0x100000001b3u;
+    char text[64];
+    std::snprintf(text, sizeof text, ".mien-%016llx-%u.tmp", static_cast<unsigned long long>(hash),
+                  slot);
+    return text;
+}
+
+TEST(AtomicFile, RemovesWhatAKilledWriterLeftAndNothingThatIsInUse) {
+    ScratchFolder folder;
+    write_bytes(folder / temporary_of("model.bin", 0), "abandoned");
+    write_bytes(folder / temporary_of("model.bin", 2), "abandoned");
+    const std::string held = folder / temporary_of("model.bin", 1),
+                      foreign = folder / temporary_of("other.bin", 0);
+    write_bytes(held, "in use");
+    write_bytes(foreign, "another target's");
+    const int descriptor = open(held.c_str(), O_RDONLY);
+    ASSERT_EQ(flock(descriptor, LOCK_EX), 0);
+    AtomicFile file(folder / "model.bin");
+    file.write("new");
+    file.commit();
+    EXPECT_EQ(read_bytes(held), "in use");
+    EXPECT_EQ(read_bytes(foreign), "another target's");
+    EXPECT_EQ(read_bytes(folder / "model.bin"), "new");
+    EXPECT_EQ(folder.num_entries(), 3u);
+    close(descriptor);
+}
+
+TEST(AtomicFile, ManyWritersOfOneTargetAtATimeLeaveOneWholeFile) {
+    ScratchFolder folder;
+    const std::string path = folder / "model.bin";
+    std::vector<std::thread> writers;
+    for (int k = 0; k < 8; ++k)
+        writers.emplace_back([&path, k] {
+            for (int round = 0; round < 20; ++round) {
+                AtomicFile file(path);
+                file.write(std::string(300000, static_cast<char>('a' + k)));
+                file.commit();
+            }
+        });
+    for (std::thread& writer : writers) writer.join();
+    const std::string bytes = read_bytes(path);
+    EXPECT_EQ(bytes, std::string(300000, bytes.at(0)));
+    EXPECT_EQ(folder.num_entries(), 1u);
+}
+
+TEST(AtomicFile, AReadOnlyFolderIsAnErrorAndStaysAsItIs) {
+    if (geteuid() == 0) GTEST_SKIP() << "root writes to read-only folders";
+    ScratchFolder folder;
+    ASSERT_EQ(chmod((folder / ".").c_str(), 0500), 0);
+    EXPECT_EQ(status_of([&] { AtomicFile file(folder / "model.bin"); }), Status::io);
+    EXPECT_EQ(folder.num_entries(), 0u);
+    chmod((folder / ".").c_str(), 0700);
 }
 
 TEST(AtomicFile, KeepsPermissionsAndFollowsLinks) {
