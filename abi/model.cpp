@@ -33,8 +33,10 @@ struct mien_tuning : Object {
 
 namespace {
 
+/// Allocates nothing: it runs in a function that can report nothing.
 mien_model_options default_model_options() {
-    const ModelOptions core;
+    const HeatOptions heat;
+    const PcaOptions pca;
     const KernelTerm kernel;
     mien_model_options options{};
     options.kernel = static_cast<std::int32_t>(kernel.kind);
@@ -43,11 +45,11 @@ mien_model_options default_model_options() {
         3;  // what faces differ by from their mean, so that a scan may pull a template along
     options.nu = kernel.nu;
     options.levels = 1;
-    options.num_modes = static_cast<std::int32_t>(core.num_modes);
-    options.eigenvalue_threshold = core.eigenvalue_threshold;
-    options.heat_time_factor = core.heat.time_factor;
-    options.heat_boundary = static_cast<std::int32_t>(core.heat.boundary);
-    options.pca_variance = core.pca.variance;
+    options.num_modes = static_cast<std::int32_t>(ModelOptions::kNumModes);
+    options.eigenvalue_threshold = ModelOptions::kEigenvalueThreshold;
+    options.heat_time_factor = heat.time_factor;
+    options.heat_boundary = static_cast<std::int32_t>(heat.boundary);
+    options.pca_variance = pca.variance;
     return options;
 }
 

@@ -15,6 +15,10 @@
 namespace mien {
 
 struct ModelOptions {
+    // Named, so that they can be told without the allocation that `kernels` makes.
+    static constexpr Index kNumModes = 999;
+    static constexpr double kEigenvalueThreshold = 1e-4;
+
     std::vector<KernelTerm> kernels =
         std::vector<KernelTerm>(1);  ///< summed; may be empty beside pca_faces
     /// Borrowed, or null: registered faces for a mean and principal modes on top of the kernel,
@@ -22,11 +26,11 @@ struct ModelOptions {
     /// those alone.
     const FaceDataset* pca_faces = nullptr;
     PcaOptions pca;
-    Index num_modes = 999;         ///< deformation modes at most; 3 make one scalar mode
+    Index num_modes = kNumModes;   ///< deformation modes at most; 3 make one scalar mode
     double tolerance = 0;          ///< > 0: stop when this share of the variance is left
     Index num_control_points = 0;  ///< 0: max(1000, num_modes), never more than #V
     double eigenvalue_threshold =
-        1e-4;                       ///< of the kernel's block among the control points, relative
+        kEigenvalueThreshold;       ///< of the kernel's block among the control points, relative
     Vector scale_per_vertex;        ///< empty, or #V factors >= 0 of the displacement's deviation
     bool mirror_symmetric = false;  ///< modes purely even or odd about the plane x = 0
     double mirror_correlation = 0;  ///< 0 .. 1: how much both sides are expected to move alike
