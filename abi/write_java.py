@@ -389,7 +389,8 @@ def raw_jni(plan):
 def jni_functions(plan):
     """The part of the JNI library that repeats the headers."""
     interface, dialect = plan.interface, Java(plan)
-    lines = ["/* One C function per method of mien.RawJni. Written by abi/generate_bindings.py. */", ""]
+    lines = ["/* One C function per method of mien.RawJni. Written by abi/generate_bindings.py. */",
+             "/* clang-format off */", ""]
     for s in interface.structs:
         size, places, _ = dialect.layouts[s.name]
         lines.append(f"STATIC_CHECK(sizeof({s.name}) == {size}, size_of_{s.name});")

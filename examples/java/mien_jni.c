@@ -22,10 +22,12 @@ static JNIEnv* environment(void) {
 static int32_t MIEN_CALL on_progress(void* user, int32_t stage, double fraction) {
     JNIEnv* env = environment();
     jclass callbacks = env == NULL ? NULL : (*env)->FindClass(env, "mien/Callbacks");
-    jmethodID method = callbacks == NULL ? NULL : (*env)->GetStaticMethodID(env, callbacks, "progress", "(JID)I");
+    jmethodID method =
+        callbacks == NULL ? NULL : (*env)->GetStaticMethodID(env, callbacks, "progress", "(JID)I");
     jint answer = 1;
     if (method != NULL) {
-        answer = (*env)->CallStaticIntMethod(env, callbacks, method, (jlong)(intptr_t)user, (jint)stage, (jdouble)fraction);
+        answer = (*env)->CallStaticIntMethod(env, callbacks, method, (jlong)(intptr_t)user,
+                                             (jint)stage, (jdouble)fraction);
         if ((*env)->ExceptionCheck(env)) answer = 1;
     }
     if (callbacks != NULL) (*env)->DeleteLocalRef(env, callbacks);
@@ -35,9 +37,11 @@ static int32_t MIEN_CALL on_progress(void* user, int32_t stage, double fraction)
 static void MIEN_CALL on_log(void* user, int32_t level, const char* message) {
     JNIEnv* env = environment();
     jclass callbacks = env == NULL ? NULL : (*env)->FindClass(env, "mien/Callbacks");
-    jmethodID method = callbacks == NULL ? NULL : (*env)->GetStaticMethodID(env, callbacks, "log", "(JIJ)V");
+    jmethodID method =
+        callbacks == NULL ? NULL : (*env)->GetStaticMethodID(env, callbacks, "log", "(JIJ)V");
     if (method != NULL) {
-        (*env)->CallStaticVoidMethod(env, callbacks, method, (jlong)(intptr_t)user, (jint)level, (jlong)(intptr_t)message);
+        (*env)->CallStaticVoidMethod(env, callbacks, method, (jlong)(intptr_t)user, (jint)level,
+                                     (jlong)(intptr_t)message);
         if ((*env)->ExceptionCheck(env)) (*env)->ExceptionClear(env);
     }
     if (callbacks != NULL) (*env)->DeleteLocalRef(env, callbacks);
@@ -48,7 +52,8 @@ JNIEXPORT jlong JNICALL Java_mien_RawJni_address(JNIEnv* env, jobject self, jobj
     return (jlong)(intptr_t)(*env)->GetDirectBufferAddress(env, memory);
 }
 
-JNIEXPORT jobject JNICALL Java_mien_RawJni_memory(JNIEnv* env, jobject self, jlong address, jlong bytes) {
+JNIEXPORT jobject JNICALL Java_mien_RawJni_memory(JNIEnv* env, jobject self, jlong address,
+                                                  jlong bytes) {
     (void)self;
     return (*env)->NewDirectByteBuffer(env, (void*)(intptr_t)address, bytes);
 }

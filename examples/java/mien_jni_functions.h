@@ -1,4 +1,5 @@
 /* One C function per method of mien.RawJni. Written by abi/generate_bindings.py. */
+/* clang-format off */
 
 STATIC_CHECK(sizeof(mien_error) == 272, size_of_mien_error);
 STATIC_CHECK(offsetof(mien_error, struct_size) == 0, place_of_mien_error_struct_size);
