@@ -1,7 +1,7 @@
 #!/bin/sh
 # Builds what the self-contained packages need, as static libraries, from Debian's source packages.
 #   dependencies.sh linux-x86_64|linux-aarch64|windows-x86_64 WORK_DIR
-# The result is WORK_DIR/MACHINE: OpenMesh, zlib, libpng, and the header-only libraries of this
+# The result is WORK_DIR/MACHINE: OpenMesh, zlib, libpng, libjpeg, and the header-only libraries of this
 # machine's packages (libeigen3-dev libspectra-dev nlohmann-json3-dev libcli11-dev), with their
 # licence files in share/licenses. Nothing is built twice.
 set -e
@@ -104,4 +104,6 @@ sed -i 's/\(vci_add_library *(OpenMesh[A-Za-z]* *\)SHARED /\1STATIC /' \
 build openmesh -DBUILD_APPS=OFF -DOPENMESH_DOCS=OFF -DOPENMESH_BUILD_SHARED=OFF
 build_zlib
 build libpng1.6 -DPNG_SHARED=OFF -DPNG_TESTS=OFF -DPNG_EXECUTABLES=OFF
+# Its assembly needs nasm and gives the same bits; a texture is decoded once a scan.
+build libjpeg-turbo -DENABLE_SHARED=OFF -DWITH_TURBOJPEG=OFF -DWITH_SIMD=OFF
 echo "$prefix"

@@ -33,7 +33,7 @@ prefix=$work/dependencies/$machine
 cmake -S "$project" -B "$work/$machine" -G Ninja $toolchain -DCMAKE_BUILD_TYPE=Release -DMIEN_SELF_CONTAINED=ON \
     -DMIEN_DEPENDENCIES="$prefix" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_IGNORE_PATH=/usr/lib/x86_64-linux-gnu/cmake/OpenMesh \
     -DCMAKE_INSTALL_LIBDIR=lib -DCMAKE_STRIP="$(command -v $strip)" -DPNG_PNG_INCLUDE_DIR="$prefix/include" \
-    -DPNG_LIBRARY="$prefix/lib/libpng.a" -DZLIB_INCLUDE_DIR="$prefix/include" -DZLIB_LIBRARY="$prefix/lib/libz.a" \
+    -DPNG_LIBRARY="$prefix/lib/libpng.a" -DJPEG_INCLUDE_DIR="$prefix/include" -DJPEG_LIBRARY="$prefix/lib/libjpeg.a" -DZLIB_INCLUDE_DIR="$prefix/include" -DZLIB_LIBRARY="$prefix/lib/libz.a" \
     -DMIEN_BUILD_TESTS=OFF -DMIEN_BUILD_EXAMPLES=OFF -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=8 ${MIEN_PACKAGE_OPTIONS:-} >"$work/$machine.log"
 cmake --build "$work/$machine" -j "${MIEN_JOBS:-$(nproc)}" >>"$work/$machine.log" || { tail -30 "$work/$machine.log" >&2; exit 1; }
 (cd "$work/$machine" && cpack -B "$work/$machine/packed" >>"$work/$machine.log")
