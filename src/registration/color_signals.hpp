@@ -16,6 +16,9 @@ struct ColorSignalSettings {
                       ///< all there is and a logarithm blows it up [J]
 };
 
+/// Of one colour, 0 to 255.
+Eigen::Vector2d color_signal(const Vector3& color, const ColorSignalSettings& settings);
+
 /// #V x 2 from #V x 3 colours.
 ColorSignals color_signals(const Colors& colors, const ColorSignalSettings& settings);
 

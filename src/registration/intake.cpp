@@ -18,16 +18,11 @@ void check_weights(const Vector& weights, Index num_vertices) {
                     static_cast<long long>(i), weights[i]);
 }
 
-// Skin colour times the host's weights; empty when there are neither.
-Vector weigh_vertices(const CleanedMesh& cleaned, const IntakeSettings& settings) {
-    const Vector& given = settings.weight_per_vertex;
-    if (given.size() == 0 && !settings.skin_weights) return Vector();
-    Vector weight = Vector::Ones(cleaned.mesh.vertices.rows());
-    if (settings.skin_weights && cleaned.mesh.colors.rows() == weight.size())
-        weight = skin_weights(cleaned.mesh.colors, settings.skin);
-    if (given.size() > 0)
-        for (Index i = 0; i < weight.size(); ++i)
-            weight[i] *= given[cleaned.vertex_to_old[static_cast<std::size_t>(i)]];
+// The host's weights of the vertices that stayed; empty when there are none.
+Vector given_weights(const CleanedMesh& cleaned, const Vector& given) {
+    Vector weight(given.size() == 0 ? 0 : cleaned.mesh.vertices.rows());
+    for (Index i = 0; i < weight.size(); ++i)
+        weight[i] = given[cleaned.vertex_to_old[static_cast<std::size_t>(i)]];
     return weight;
 }
 
@@ -39,6 +34,29 @@ void make_windings_alike(TriMesh& mesh, const WindingSettings& settings, Prepare
     if (report.turned.empty()) return;
     scan.turned.assign(static_cast<std::size_t>(mesh.triangles.rows()), 0);
     for (const std::uint32_t t : report.turned) scan.turned[t] = 1;
+}
+
+// Colours of the vertices, from the images where there are some, and what hits take from these.
+void take_colors(const TriMesh& mesh, const IntakeSettings& settings, ScanSurface& surface,
+                 const Context& context) {
+    ScanImages& images = surface.images;
+    images.sampler = ImageSampler(mesh, context);
+    images.radius_mm = settings.image_radius_mm;
+    images.signals = settings.signals;
+    images.skin = settings.skin;
+    images.weighs_skin = settings.skin_weights;
+    const Colors colors = images.sampler.empty()
+                              ? mesh.colors
+                              : images.sampler.vertex_colors(mesh, settings.image_radius_mm);
+    if (colors.rows() != surface.vertices.rows()) return;
+    surface.colors = color_signals(colors, settings.signals);
+    if (!settings.skin_weights) return;
+    images.given_weight = surface.weight;
+    const Vector skin = skin_weights(colors, settings.skin);
+    if (surface.weight.size() == 0)
+        surface.weight = skin;
+    else
+        surface.weight.array() *= skin.array();
 }
 
 }  // namespace
@@ -54,9 +72,8 @@ PreparedScan prepare_scan(const TriMesh& raw, const IntakeSettings& settings,
     cleaned.mesh.vertices *= scan.unit_to_mm;
     make_windings_alike(cleaned.mesh, settings.windings, scan, context);
     scan.surface = build_scan_surface(cleaned.mesh, settings.surface, context);
-    scan.surface.weight = weigh_vertices(cleaned, settings);
-    if (cleaned.mesh.colors.rows() == scan.surface.vertices.rows())
-        scan.surface.colors = color_signals(cleaned.mesh.colors, settings.signals);
+    scan.surface.weight = given_weights(cleaned, settings.weight_per_vertex);
+    take_colors(cleaned.mesh, settings, scan.surface, context);
     scan.vertex_to_raw = std::move(cleaned.vertex_to_old);
     scan.triangle_to_raw = std::move(cleaned.triangle_to_old);
     return scan;

@@ -18,6 +18,8 @@ struct IntakeSettings {
     WindingSettings windings;
     SkinSettings skin;
     ColorSignalSettings signals;
+    double image_radius_mm = 0.7;  ///< mm, 0 to 5: the disc of a texture image whose mean a look
+                                   ///< takes: what a scan of 1.4 mm between vertices shows [J]
     ScanSurfaceSettings surface;
 };
 

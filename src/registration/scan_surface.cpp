@@ -172,18 +172,33 @@ Vector3 ScanSurface::normal_at(const SurfaceHit& hit) const {
     return length > kShortest ? Vector3(normal / length) : Vector3(Vector3::Zero());
 }
 
-double ScanSurface::weight_at(const SurfaceHit& hit) const {
-    if (weight.size() == 0) return 1;
-    double given = 0;
+namespace {
+
+/// Between the vertices of a triangle; 1 without values.
+double interpolated(const ScanSurface& scan, const Vector& values, const SurfaceHit& hit) {
+    if (values.size() == 0) return 1;
+    double sum = 0;
     for (int c = 0; c < 3; ++c)
-        given += hit.barycentric[c] *
-                 weight[tree.is_point_cloud() ? static_cast<Index>(hit.triangle)
-                                              : static_cast<Index>(triangles(hit.triangle, c))];
-    return given;
+        sum +=
+            hit.barycentric[c] * values[scan.tree.is_point_cloud()
+                                            ? static_cast<Index>(hit.triangle)
+                                            : static_cast<Index>(scan.triangles(hit.triangle, c))];
+    return sum;
+}
+
+}  // namespace
+
+double ScanSurface::weight_at(const SurfaceHit& hit) const {
+    if (!images.weighs_skin || !images.cover(hit)) return interpolated(*this, weight, hit);
+    const Vector3 color = images.sampler.color(hit.triangle, hit.barycentric, images.radius_mm);
+    return interpolated(*this, images.given_weight, hit) * skin_weight(color, images.skin);
 }
 
 Eigen::Vector2d ScanSurface::colors_at(const SurfaceHit& hit) const {
     const Index t = static_cast<Index>(hit.triangle);
+    if (images.cover(hit))
+        return color_signal(images.sampler.color(hit.triangle, hit.barycentric, images.radius_mm),
+                            images.signals);
     if (tree.is_point_cloud()) return colors.row(t).transpose().cast<double>();
     Eigen::Vector2d signals = Eigen::Vector2d::Zero();
     for (int c = 0; c < 3; ++c)

@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "base/context.hpp"
+#include "mesh/image_sampler.hpp"
 #include "mesh/tri_mesh.hpp"
 #include "registration/color_signals.hpp"
+#include "registration/skin.hpp"
 #include "spatial/triangle_tree.hpp"
 
 namespace mien {
@@ -26,6 +28,18 @@ struct ScanSurfaceSettings {
     int fewest_neighbours = 4;   ///< 3 to most_neighbours: fewer give no normal [J]
 };
 
+/// A scan's texture images and how they are looked at where the surface is hit.
+struct ScanImages {
+    ImageSampler sampler;  ///< of the scan's triangles, mm; perhaps empty
+    double radius_mm = 0;  ///< mm, the disc whose mean a look takes
+    ColorSignalSettings signals;
+    bool weighs_skin = false;  ///< a hit's weight is times its colour's probability of skin
+    Vector given_weight;       ///< #V, the host's part of ScanSurface::weight, or empty
+    SkinSettings skin;
+
+    bool cover(const SurfaceHit& hit) const { return sampler.covers(hit.triangle); }
+};
+
 /// Immutable once built; safe to share between threads and fits. A fit sees it through a ScanView,
 /// which knows the side that faces out.
 struct ScanSurface {
@@ -40,16 +54,17 @@ struct ScanSurface {
     double spacing_mm = 0;  ///< mean edge length
     Vector weight;          ///< #V in [0, 1] or empty: all one
     ColorSignals colors;    ///< #V x 2 or empty (color_signals.hpp)
+    ScanImages images;      ///< take the place of the vertices' colours where they cover
 
     bool has_colors() const { return colors.rows() > 0; }
     /// Interpolated normal, unit or zero.
     Vector3 normal_at(const SurfaceHit& hit) const;
     /// Interpolated shape operator; zero for a cloud.
     Matrix3 bending_at(const SurfaceHit& hit) const;
-    /// Interpolated weight; 1 where no weights were given.
+    /// Interpolated weight; 1 where no weights were given. Times the skin's of the images.
     double weight_at(const SurfaceHit& hit) const;
-    /// Redness and darkness at the hit; the scan must have colours. The one place that looks a
-    /// colour up: images sampled per hit belong here.
+    /// Redness and darkness at the hit, from the image where one covers it, else between the
+    /// vertices; the scan must have colours. The one place that looks a colour up.
     Eigen::Vector2d colors_at(const SurfaceHit& hit) const;
     /// True when the hit lies on a border edge or border vertex: the scan goes no further there.
     bool at_border(const SurfaceHit& hit) const;

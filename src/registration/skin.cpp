@@ -49,11 +49,15 @@ double probability(double r, double g, double b, const SkinSettings& s) {
 
 }  // namespace
 
+double skin_weight(const Vector3& color, const SkinSettings& settings) {
+    return settings.floor +
+           (1 - settings.floor) * probability(color[0], color[1], color[2], settings);
+}
+
 Vector skin_weights(const Colors& colors, const SkinSettings& settings) {
     Vector weights(colors.rows());
     for (Index i = 0; i < colors.rows(); ++i)
-        weights[i] = settings.floor + (1 - settings.floor) * probability(colors(i, 0), colors(i, 1),
-                                                                         colors(i, 2), settings);
+        weights[i] = skin_weight(Vector3(colors(i, 0), colors(i, 1), colors(i, 2)), settings);
     return weights;
 }
 

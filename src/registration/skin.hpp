@@ -30,6 +30,9 @@ struct SkinSettings {
     double cr_line_width = 8, hue_to_width = 10, saturation_to_width = 0.08;
 };
 
+/// The weight, in [floor, 1], of one colour, 0 to 255.
+double skin_weight(const Vector3& color, const SkinSettings& settings);
+
 /// #V weights in [floor, 1] from #V x 3 colours.
 Vector skin_weights(const Colors& colors, const SkinSettings& settings);
 
