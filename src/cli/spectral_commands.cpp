@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -42,6 +43,7 @@ struct Arguments {
     std::uint64_t k = 500;
     double factor = 4.0, ridge = 0.0;
     std::string mass = "voronoi", cotangents = "delaunay", kind = "dr-norm", sampling = "quadric";
+    std::vector<std::string> sources;
     std::vector<std::uint64_t> limits, candidates;
     std::vector<double> values;
 };
@@ -268,12 +270,41 @@ void draw_front(const std::string& path, const std::vector<mien_band_choice>& ch
     write_png(path, draw_plot({all, front}, options));
 }
 
+std::string stem_of(const std::string& path) {
+    return std::filesystem::u8path(path).stem().u8string();
+}
+
+/// One face as it is, or any number as the named morph targets of their neutral face in a GLB file.
+void save_expressions(const Session& session, const Mesh& neutral, const std::vector<Mesh>& faces,
+                      const std::vector<std::string>& names, const std::string& out) {
+    std::string extension = std::filesystem::u8path(out).extension().u8string();
+    for (char& c : extension) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+    if (extension != ".glb") {
+        if (faces.size() != 1)
+            throw CLI::ValidationError("--out", "several expressions go into one .glb file");
+        faces.front().save(session, out);
+        return;
+    }
+    std::vector<const mien_mesh*> targets;
+    std::vector<const char*> texts;
+    for (const Mesh& face : faces) targets.push_back(face.get());
+    for (const std::string& name : names) texts.push_back(name.c_str());
+    detail::call(mien_mesh_save_targets, session.get(), neutral.get(), targets.data(), texts.data(),
+                 std::uint64_t{targets.size()}, out.c_str());
+}
+
 void run_transfer(const Arguments& a) {
     const Session session(a.common.num_threads);
     if (!a.in.empty()) {
-        transfer_expression(session, Mesh(session, a.in), Mesh(session, a.other),
-                            Mesh(session, a.third))
-            .save(session, a.out);
+        const Mesh source(session, a.in), target(session, a.third);
+        std::vector<Mesh> faces;
+        std::vector<std::string> names;
+        for (const std::string& expression : a.sources) {
+            faces.push_back(
+                transfer_expression(session, source, Mesh(session, expression), target));
+            names.push_back(stem_of(expression));
+        }
+        save_expressions(session, target, faces, names, a.out);
         return;
     }
     if (a.data.empty() && a.model.empty())
@@ -311,8 +342,11 @@ void run_transfer(const Arguments& a) {
         if (!a.picture.empty()) draw_front(a.picture, choices, a.expression);
         if (k > basis->mode_count()) k = std::uint64_t{0x7fffffff};  // coordinates alone
     }
-    if (!a.third.empty() && !a.out.empty())
-        model.predict(session, Mesh(session, a.third), basis.get(), k).save(session, a.out);
+    if (!a.third.empty() && !a.out.empty()) {
+        const Mesh target(session, a.third);
+        save_expressions(session, target, {model.predict(session, target, basis.get(), k)},
+                         {a.expression}, a.out);
+    }
     write_report(a.common, report);
 }
 
@@ -329,7 +363,9 @@ void add_transfer(CLI::App& app) {
         a, [a] { run_transfer(*a); });
     auto* neutral = sub->add_option("--source-neutral", a->in, "Neutral face of the source");
     auto* source =
-        sub->add_option("--source-expression", a->other, "The source with the expression");
+        sub->add_option("--source-expression", a->sources,
+                        "The source with the expression; several give one GLB file with a morph "
+                        "target each, named as their files");
     neutral->needs(source);
     source->needs(neutral);
     sub->add_option("--data", a->data, "Dataset to learn from")->excludes(neutral);
@@ -347,7 +383,9 @@ void add_transfer(CLI::App& app) {
     sub->add_option("--plot", a->picture, "PNG of L1 against FMPD with the Pareto front");
     sub->add_option("--model-out", a->second_out, "Blendshape model file to write");
     sub->add_option("--target", a->third, "Neutral face of the target")
-        ->needs(sub->add_option("--out", a->out, "Mesh to write"));
+        ->needs(sub->add_option("--out", a->out,
+                                "Mesh to write; .glb: the neutral face with the expression as a "
+                                "named morph target"));
 }
 
 }  // namespace
