@@ -10,6 +10,12 @@
 
 namespace mien::cli {
 
+/// A session whose warnings (a missing texture image, points that were dropped) go to stderr.
+class Session : public mien::Session {
+  public:
+    explicit Session(int num_threads = 1);
+};
+
 /// Options that every command has.
 struct Common {
     int num_threads = 1;

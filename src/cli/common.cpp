@@ -67,7 +67,13 @@ std::uint32_t as_vertex(const nlohmann::json& value, const std::string& path,
     return value.get<std::uint32_t>();
 }
 
+void MIEN_CALL print_warning(void*, std::int32_t level, const char* message) {
+    if (level <= MIEN_LOG_WARNING) std::fprintf(stderr, "mien: %s\n", message);
+}
+
 }  // namespace
+
+Session::Session(int num_threads) : mien::Session(num_threads, 0, &print_warning) {}
 
 void add_common_options(CLI::App& command, Common& common, bool with_seed) {
     command

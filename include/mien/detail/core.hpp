@@ -111,11 +111,16 @@ class ProgressBridge {
 /// Threads, memory budget. One call at a time.
 class Session {
   public:
-    explicit Session(int num_threads = 1, std::uint64_t max_bytes = 0) {
+    /// `log` gets what a call has to say beside its result, such as a missing texture image; it
+    /// must not throw.
+    explicit Session(int num_threads = 1, std::uint64_t max_bytes = 0, mien_log_fn log = nullptr,
+                     void* log_user = nullptr) {
         mien_session_options options;
         mien_session_options_init(&options, sizeof options);
         options.num_threads = num_threads;
         options.max_bytes = max_bytes;
+        options.log = log;
+        options.log_user = log_user;
         mien_session* session = nullptr;
         detail::call(mien_session_create_with_options, MIEN_ABI_VERSION, &options, &session);
         handle_.reset(session);
