@@ -23,11 +23,11 @@ TriMesh textured_square() {
     mesh.materials[0].image = 0;
     auto image = std::make_shared<TextureImage>();
     image->width = image->height = 50;
+    constexpr int kSkin[] = {220, 160, 130}, kCloth[] = {20, 60, 200};
     for (int y = 0; y < 50; ++y)
         for (int x = 0; x < 50; ++x)
-            for (int value : x < 25 ? std::initializer_list<int>{220, 160, 130}
-                                    : std::initializer_list<int>{20, 60, 200})
-                image->pixels.push_back(static_cast<std::uint8_t>(value));
+            for (int k = 0; k < 3; ++k)
+                image->pixels.push_back(static_cast<std::uint8_t>((x < 25 ? kSkin : kCloth)[k]));
     mesh.images.push_back(image);
     return mesh;
 }
