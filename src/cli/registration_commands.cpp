@@ -145,7 +145,8 @@ void add_registration_commands(CLI::App& app) {
     auto* command = app.add_subcommand("register", "fit a model's template to a scan");
     auto arguments = std::make_shared<RegisterArguments>();
     command->add_option("--model", arguments->model, "deformation model")->required();
-    command->add_option("--scan", arguments->scan, "mesh file: PLY, OBJ, STL, OFF, GLB, VTP or XYZ")->required();
+    command->add_option("--scan", arguments->scan, "mesh file: PLY, OBJ, STL, OFF, GLB, VTP or XYZ")
+        ->required();
     command->add_option(
         "--landmarks", arguments->landmarks,
         "places on the scan: JSON {\"points\": {name: [x, y, z]}}, .mrk.json, .fcsv, .pp, "
