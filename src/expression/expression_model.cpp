@@ -228,7 +228,8 @@ void save_expression_model(const std::string& path, const ExpressionModel& model
         covariances.insert(covariances.end(), component.covariance.data(),
                            component.covariance.data() + component.covariance.size());
         Matrix own = Matrix::Zero(model.num_expression_modes(), directions);
-        own.leftCols(component.follows.cols()) = component.follows;
+        if (component.follows.cols() > 0)
+            own.leftCols(component.follows.cols()) = component.follows;
         follows.insert(follows.end(), own.data(), own.data() + own.size());
     }
     std::map<std::string, std::string> metadata = model.info;
