@@ -8,6 +8,7 @@
 #include <new>
 #include <utility>
 
+#include "base/error.hpp"
 #include "base/safetensors.hpp"
 
 namespace mien::abi {

@@ -10,6 +10,7 @@
 #include <initializer_list>
 
 #include "base/error.hpp"
+#include "mien/config.h"
 
 /// The size of an options struct's first release, by the last field that it had: frozen, and right
 /// for every pointer width.
