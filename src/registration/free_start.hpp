@@ -2,7 +2,7 @@
 // and a jaw that is tried at several openings.
 #pragma once
 
-#include <vector>
+#include <array>
 
 #include "registration/fit_loop.hpp"
 #include "registration/jaw.hpp"
@@ -25,7 +25,7 @@ struct ApproachSettings {
 struct OpeningSettings {
     bool enabled = true;
     /// deg: an opening of zero starts again without the approach's own idea of the mouth.
-    std::vector<double> openings_deg{0, 10, 20, 30};
+    std::array<double, 4> openings_deg{0, 10, 20, 30};
     double amplitude = 2;      ///< > 0: of the kernel, as a jaw moves by centimetres [J]
     double clearly = 0.01;     ///< >= 0: by how much an opening must agree better [J]
     double sigma_mm = 4;       ///< mm, > 0: noise level of the first round [J]

@@ -1,6 +1,7 @@
 #include "registration/shut_lids.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -53,8 +54,9 @@ bool tone_at(const ScanSurface& scan, const Points& places, double reach_mm, Ton
 }
 
 // Places on lines from the upper lid to the lower one, at the given shares of the way.
+template <std::size_t kCount>
 Points places_between(const Points& places, const Eye& eye, int columns,
-                      const std::vector<double>& shares) {
+                      const std::array<double, kCount>& shares) {
     Points between(columns * static_cast<Index>(shares.size()), 3);
     Index row = 0;
     for (int column = 0; column < columns; ++column) {

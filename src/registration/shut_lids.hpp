@@ -3,6 +3,7 @@
 // is not the colour of the skin around it.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "registration/fit_state.hpp"
@@ -20,7 +21,8 @@ struct ShutLidSettings {
     int columns = 5;  ///< >= 2: lines from the upper lid to the lower one that are looked at [J]
     /// Places on them, as shares of the way from the upper to the lower lid: on the eyeball, and
     /// below it on the skin. [J]
-    std::vector<double> eyeball{0.25, 0.5, 0.75}, skin{1.5, 2};
+    std::array<double, 3> eyeball{0.25, 0.5, 0.75};
+    std::array<double, 2> skin{1.5, 2};
 };
 
 /// Pins (scan frame) that bring the upper lids of shut eyes down to the lower ones; none where an
