@@ -18,16 +18,18 @@ using namespace mien::abi;
 
 namespace {
 
+/// Allocates nothing: it runs in a function that can report nothing.
 mien_train_options default_train_options() {
-    const TrainOptions core;
+    const JointPcaOptions subspaces;
+    const JointSpanOptions span;
     mien_train_options options{};
     options.method = MIEN_TRAIN_JPCA;
-    options.identity_modes = static_cast<std::int32_t>(core.subspaces.identity_modes);
-    options.expression_modes = static_cast<std::int32_t>(core.subspaces.expression_modes);
-    options.max_iterations = core.subspaces.max_iterations;
-    options.passes = core.span.passes;
-    options.lambda_factor = core.subspaces.lambda_factor;
-    options.angle_tolerance_rad = core.subspaces.angle_tolerance_rad;
+    options.identity_modes = static_cast<std::int32_t>(subspaces.identity_modes);
+    options.expression_modes = static_cast<std::int32_t>(subspaces.expression_modes);
+    options.max_iterations = subspaces.max_iterations;
+    options.passes = span.passes;
+    options.lambda_factor = subspaces.lambda_factor;
+    options.angle_tolerance_rad = subspaces.angle_tolerance_rad;
     return options;
 }
 
@@ -48,16 +50,13 @@ NeutralizeMeshOptions read_neutralize_options(const mien_neutralize_options& giv
                    {"noise_mm2", given.noise_mm2},
                    {"decay_mm", given.decay_mm}});
     if (given.reserved != 0) fail(Status::unsupported_option, "options.reserved is not zero");
-    if (given.uncertainty != 0 && given.uncertainty != 1)
-        fail(Status::invalid_argument, "options.uncertainty is %d, allowed are 0 and 1",
-             given.uncertainty);
     NeutralizeMeshOptions options;
     options.neutralize.fit.method = static_cast<FitMethod>(given.method);
     options.neutralize.fit.max_sweeps = given.max_sweeps;
     options.neutralize.fit.tolerance = given.tolerance_mm;
     options.neutralize.fit.noise_mm2 = given.noise_mm2;
     options.neutralize.pose = static_cast<Pose>(given.pose);
-    options.neutralize.uncertainty = given.uncertainty != 0;
+    options.neutralize.uncertainty = read_switch(given.uncertainty, "options.uncertainty");
     options.decay_mm = given.decay_mm;
     return options;
 }
@@ -115,15 +114,12 @@ EvaluationOptions evaluation_with(const EvaluationOptions& common, std::int32_t 
 namespace mien::abi {
 
 void check_fit(std::int32_t method, const char* name) {
-    if (method < MIEN_FIT_MIXTURE || method > MIEN_FIT_ALTERNATING)
-        fail(Status::invalid_argument, "%s is %d; use one of MIEN_FIT_...", name, method);
+    check_choice(method, MIEN_FIT_MIXTURE, MIEN_FIT_ALTERNATING, name);
 }
 
 TrainOptions read_train_options(const mien_train_options& given) {
     TrainOptions options;
-    if (given.method != MIEN_TRAIN_JPCA && given.method != MIEN_TRAIN_QOJPCA)
-        fail(Status::invalid_argument,
-             "options.method is %d; use MIEN_TRAIN_JPCA or MIEN_TRAIN_QOJPCA", given.method);
+    check_choice(given.method, MIEN_TRAIN_JPCA, MIEN_TRAIN_QOJPCA, "options.method");
     check_numbers({{"lambda", given.lambda},
                    {"lambda_factor", given.lambda_factor},
                    {"angle_tolerance_rad", given.angle_tolerance_rad}});
@@ -142,8 +138,7 @@ TrainOptions read_train_options(const mien_train_options& given) {
 }
 
 void check_pose(std::int32_t pose) {
-    if (pose < MIEN_POSE_AUTO || pose > MIEN_POSE_RIGID)
-        fail(Status::invalid_argument, "options.pose is %d; use one of MIEN_POSE_...", pose);
+    check_choice(pose, MIEN_POSE_AUTO, MIEN_POSE_RIGID, "options.pose");
 }
 
 mien_train_options given_train_options(const mien_train_options* options) {

@@ -39,6 +39,8 @@ namespace {
 // The radius that holds 95 of 100 places for equal errors on three axes: sqrt of chi-squared(3).
 constexpr double kRadius95 = 2.7955;
 
+/// Allocates nothing: it runs in a function that can report nothing. The core's defaults hold no
+/// memory of their own (tests/oom/abi_defaults_oom.cpp).
 mien_register_options default_register_options() {
     const RegistrationSettings core;
     const LoopSettings& loop = core.fit.loop;
@@ -59,21 +61,12 @@ mien_register_options default_register_options() {
     return options;
 }
 
-void require_range(std::int32_t value, std::int32_t low, std::int32_t high, const char* name) {
-    if (value < low || value > high)
-        fail(Status::unsupported_option, "options.%s is %d, allowed are %d to %d", name, value, low,
-             high);
-}
-
 void check_options(const mien_register_options& given) {
-    require_range(given.growth, 0, 3, "growth");
-    require_range(given.start, 0, 3, "start");
-    require_range(given.units, 0, 2, "units");
-    require_range(given.skin_weights, 0, 1, "skin_weights");
-    require_range(given.close_gap, 0, 1, "close_gap");
-    require_range(given.reject_border, 0, 1, "reject_border");
-    require_range(given.iterations, 0, 10000, "iterations");
-    require_range(given.color_features, 0, 1, "color_features");
+    check_choice(given.growth, MIEN_GROWTH_CONSTANT, MIEN_GROWTH_CUBIC, "options.growth");
+    check_choice(given.start, MIEN_START_AUTOMATIC, MIEN_START_SEARCH, "options.start");
+    check_choice(given.units, MIEN_UNITS_DETECT, MIEN_UNITS_REFUSE, "options.units");
+    check_choice(given.landmark_sides, MIEN_SIDES_REFUSE, MIEN_SIDES_IGNORE,
+                 "options.landmark_sides");
     if (given.reserved != 0) fail(Status::unsupported_option, "options.reserved is not zero");
     check_numbers({{"landmark_sigma_mm", given.landmark_sigma_mm},
                    {"sigma_start_mm", given.sigma_start_mm},
@@ -81,7 +74,6 @@ void check_options(const mien_register_options& given) {
                    {"max_angle_deg", given.max_angle_deg},
                    {"start_scale", given.start_scale},
                    {"unit_to_mm", given.unit_to_mm}});
-    require_range(given.landmark_sides, 0, 2, "landmark_sides");
     if (given.reserved2 != 0) fail(Status::unsupported_option, "options.reserved2 is not zero");
     if (given.unit_to_mm < 0 || !std::isfinite(given.unit_to_mm))
         fail(Status::invalid_argument, "options.unit_to_mm is %g, it must be positive, or 0",
@@ -95,14 +87,14 @@ RegistrationSettings convert(const mien_register_options& given) {
     check_options(given);
     RegistrationSettings settings;
     settings.intake.units = static_cast<UnitRule>(given.units);
-    settings.intake.skin_weights = given.skin_weights == 1;
+    settings.intake.skin_weights = read_switch(given.skin_weights, "options.skin_weights");
     settings.intake.unit_to_mm = given.unit_to_mm;
     settings.start.sides.rule = static_cast<SideRule>(given.landmark_sides);
     if (given.scan_weights.count != 0)
         settings.intake.weight_per_vertex = read_values(given.scan_weights, "options.scan_weights");
     settings.prior.max_scalar_modes = given.max_scalar_modes;
     settings.prior.max_pca_modes = given.max_pca_modes;
-    settings.colors.enabled = given.color_features == 1;
+    settings.colors.enabled = read_switch(given.color_features, "options.color_features");
     settings.start.kind = static_cast<StartKind>(given.start);
     settings.start.landmark_sigma_mm = given.landmark_sigma_mm;
     Similarity& pose = settings.start.pose;
@@ -113,12 +105,12 @@ RegistrationSettings convert(const mien_register_options& given) {
     pose.scale = given.start_scale;
     LoopSettings& loop = settings.fit.loop;
     loop.growth = static_cast<ModeGrowth>(given.growth);
-    if (given.iterations > 0) loop.rounds = given.iterations;
+    if (given.iterations != 0) loop.rounds = given.iterations;
     loop.sigma_start_mm = given.sigma_start_mm;
     loop.sigma_end_mm = given.sigma_end_mm;
-    loop.match.reject_border = given.reject_border == 1;
+    loop.match.reject_border = read_switch(given.reject_border, "options.reject_border");
     loop.match.max_angle_deg = given.max_angle_deg;
-    settings.gap.enabled = given.close_gap == 1;
+    settings.gap.enabled = read_switch(given.close_gap, "options.close_gap");
     return settings;
 }
 

@@ -55,7 +55,8 @@ MIEN_API void MIEN_CALL mien_evaluate_options_init(mien_evaluate_options* option
  * @param options      [in] may be null: defaults.
  * @param out          [out] not null; the evaluation, or null on failure.
  * @param error        [out] may be null.
- * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MISMATCH, MIEN_E_IO,
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (a fit that
+ * this library does not know), MIEN_E_MISMATCH, MIEN_E_IO,
  * MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED
  * @owner  the caller releases *out with mien_evaluation_release()
  * @thread externally synchronized by session

@@ -95,7 +95,8 @@ MIEN_API mien_status MIEN_CALL mien_neutralize(mien_session* session,
  * @param options [in] may be null: defaults.
  * @param out     [out] not null; the result, or null on failure.
  * @param error   [out] may be null; detail_index is the first offending weight.
- * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MISMATCH (topology, weights),
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (a switch or
+ *         an enumerator that this library does not know), MIEN_E_MISMATCH (topology, weights),
  *         MIEN_E_NO_SOLUTION (MIEN_FIT_EXACT with too little of the face visible),
  * MIEN_E_NO_MEMORY, MIEN_E_CANCELLED
  * @owner  the caller releases *out with mien_neutralization_release()

@@ -76,7 +76,8 @@ MIEN_API void MIEN_CALL mien_train_options_init(mien_train_options* options, siz
  * @param options      [in] may be null: defaults.
  * @param out          [out] not null; the model, or null on failure.
  * @param error        [out] may be null; detail_index is the first damaged face.
- * @errors MIEN_E_INVALID_ARGUMENT (an option; no neutral faces; nothing to learn), MIEN_E_IO,
+ * @errors MIEN_E_INVALID_ARGUMENT (an option; no neutral faces; nothing to learn),
+ * MIEN_E_UNSUPPORTED_OPTION (a method that this library does not know), MIEN_E_IO,
  * MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_NO_SOLUTION,
  * MIEN_E_CANCELLED
  * @owner  the caller releases *out with mien_expression_model_release()

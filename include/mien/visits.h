@@ -59,7 +59,8 @@ MIEN_API void MIEN_CALL mien_visits_options_init(mien_visits_options* options, s
  * @param options [in] may be null: defaults.
  * @param out     [out] not null; the result, or null on failure.
  * @param error   [out] may be null.
- * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (a pose that
+ * this library does not know), MIEN_E_INVALID_MESH, MIEN_E_MISMATCH
  * (topology, weights, treated vertices), MIEN_E_NO_SOLUTION, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED
  * @owner  the caller releases *out with mien_visits_release()
  * @thread externally synchronized by session

@@ -222,9 +222,16 @@ TEST_F(Expression, BadInputIsATypedError) {
                                                             good.get(), &options, &out, &error));
     EXPECT_EQ(17, error.detail_index);
     options = {};
-    options.method = 9;
-    EXPECT_EQ(MIEN_E_INVALID_ARGUMENT, mien_neutralize_mesh(session_->get(), model_->get(),
-                                                            good.get(), &options, &out, &error));
+    // A switch or an enumerator that this library does not know: one status for one mistake.
+    const auto refused = [&](std::int32_t mien_neutralize_options::*member, std::int32_t value) {
+        mien::NeutralizeOptions unknown;
+        unknown.*member = value;
+        return mien_neutralize_mesh(session_->get(), model_->get(), good.get(), &unknown, &out,
+                                    &error);
+    };
+    EXPECT_EQ(MIEN_E_UNSUPPORTED_OPTION, refused(&mien_neutralize_options::method, 9));
+    EXPECT_EQ(MIEN_E_UNSUPPORTED_OPTION, refused(&mien_neutralize_options::pose, 3));
+    EXPECT_EQ(MIEN_E_UNSUPPORTED_OPTION, refused(&mien_neutralize_options::uncertainty, 2));
     mien_expression_model* model = nullptr;
     EXPECT_EQ(MIEN_E_WRONG_KIND,
               mien_expression_model_load(session_->get(), data_->c_str(), &model, &error));
