@@ -10,6 +10,7 @@
 #include "measure/border.hpp"
 #include "measure/pair_check.hpp"
 #include "mesh/length_unit.hpp"
+#include "mesh/topology.hpp"
 #include "spatial/triangle_tree.hpp"
 
 namespace mien {
@@ -67,9 +68,9 @@ void measure_one_side(const TriMesh& from, const TriMesh& to, double limit, bool
     const TriangleTree tree(to.vertices, to.triangles, context);
     std::vector<SurfaceHit> hits;
     tree.closest(from.vertices, limit, hits, context);
-    std::vector<char> border;
+    std::vector<std::uint8_t> border;
     if (skip_borders && to.triangles.rows() > 0)
-        border = border_vertices(to.triangles, to.vertices.rows());
+        border = border_vertices(to.triangles, to.vertices.rows(), context);
     lengths = Vector::Constant(from.vertices.rows(), kNone);
     vectors = Points::Zero(from.vertices.rows(), 3);
     for (Index v = 0; v < from.vertices.rows(); ++v) {

@@ -10,6 +10,7 @@
 #include "measure/border.hpp"
 #include "measure/pair_check.hpp"
 #include "mesh/length_unit.hpp"
+#include "mesh/topology.hpp"
 #include "spatial/triangle_tree.hpp"
 
 namespace mien {
@@ -36,7 +37,8 @@ void carry_vertices(const TriMesh& before, const TriMesh& after, const ScanVolum
     if (options.carry == Carry::closest_point) {
         std::vector<SurfaceHit> hits;
         tree.closest(before.vertices, options.max_distance_mm, hits, context);
-        const std::vector<char> border = border_vertices(after.triangles, after.vertices.rows());
+        const std::vector<std::uint8_t> border =
+            border_vertices(after.triangles, after.vertices.rows(), context);
         for (std::size_t v = 0; v < n; ++v)
             if (hits[v].valid() &&
                 !on_border(border, after.triangles, hits[v].triangle, hits[v].barycentric)) {
@@ -128,7 +130,8 @@ RigidZoneResult align_scans_on_zone(const TriMesh& source, const TriMesh& target
     }
     const std::vector<char> inside = membership(chosen, target.vertices.rows());
     const TriangleTree tree(source.vertices, source.triangles, context);
-    const std::vector<char> border = border_vertices(source.triangles, source.vertices.rows());
+    const std::vector<std::uint8_t> border =
+        border_vertices(source.triangles, source.vertices.rows(), context);
     const Points normals = vertex_normals(target.vertices, target.triangles);
     const Vector areas = vertex_areas(target.vertices, target.triangles);
     Index in_zone = 0;

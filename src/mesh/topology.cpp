@@ -87,14 +87,17 @@ std::vector<std::uint32_t> border_sides(const EdgeTable& table) {
     return sides;
 }
 
-std::vector<std::uint8_t> border_vertices(const EdgeTable& table, const TrianglesRef& triangles,
-                                          Index num_vertices) {
-    (void)triangles;
+std::vector<std::uint8_t> border_vertices(const EdgeTable& table, Index num_vertices) {
     std::vector<std::uint8_t> on_border(static_cast<std::size_t>(num_vertices), 0);
     for (std::size_t edge = 0; edge < table.num_edges(); ++edge)
         if (table.num_sides(edge) == 1)
             for (std::uint32_t vertex : table.edges[edge]) on_border[vertex] = 1;
     return on_border;
+}
+
+std::vector<std::uint8_t> border_vertices(const TrianglesRef& triangles, Index num_vertices,
+                                          const Context& context) {
+    return border_vertices(build_edge_table(triangles, num_vertices, context), num_vertices);
 }
 
 std::vector<std::vector<std::uint32_t>> border_loops(const EdgeTable& table,

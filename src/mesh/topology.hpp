@@ -39,8 +39,10 @@ inline std::array<std::uint32_t, 2> side_ends(const TrianglesRef& triangles, std
 /// The sides that no other triangle shares, ascending.
 std::vector<std::uint32_t> border_sides(const EdgeTable& table);
 /// 1 for each vertex on such a side, 0 for the others (vertices without triangles among them).
-std::vector<std::uint8_t> border_vertices(const EdgeTable& table, const TrianglesRef& triangles,
-                                          Index num_vertices);
+std::vector<std::uint8_t> border_vertices(const EdgeTable& table, Index num_vertices);
+/// The same for who needs no table. O(#F log degree), 24 bytes per triangle while it works.
+std::vector<std::uint8_t> border_vertices(const TrianglesRef& triangles, Index num_vertices,
+                                          const Context& context);
 
 /// Closed vertex cycles along the border, the surface on their left, each beginning with its
 /// smallest vertex, ordered by it. Where several borders meet in one vertex, the walk takes the

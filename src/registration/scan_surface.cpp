@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/normals.hpp"
+#include "mesh/topology.hpp"
 #include "registration/scan_cloud.hpp"
 
 namespace mien {
@@ -14,36 +15,6 @@ namespace {
 constexpr double kTiny_mm = 1e-9, kShortest = 1e-12;
 // Barycentric share below which a hit lies on the opposite edge.
 constexpr double kOnEdge = 1e-9;
-
-// Border vertices: ends of edges that one triangle alone uses. Edges are found per lower vertex in
-// a compressed list, because a scan's edges may be used by any number of triangles.
-std::vector<std::uint8_t> find_border(Index num_vertices, const Triangles& triangles) {
-    const std::size_t n = static_cast<std::size_t>(num_vertices);
-    std::vector<std::uint32_t> begin(n + 1, 0),
-        other(static_cast<std::size_t>(3 * triangles.rows()));
-    for (Index t = 0; t < triangles.rows(); ++t)
-        for (int k = 0; k < 3; ++k)
-            ++begin[std::min(triangles(t, k), triangles(t, (k + 1) % 3)) + 1];
-    for (std::size_t i = 0; i < n; ++i) begin[i + 1] += begin[i];
-    std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
-    for (Index t = 0; t < triangles.rows(); ++t)
-        for (int k = 0; k < 3; ++k) {
-            const std::uint32_t a = triangles(t, k), b = triangles(t, (k + 1) % 3);
-            other[next[std::min(a, b)]++] = std::max(a, b);
-        }
-    std::vector<std::uint8_t> border(n, 0);
-    for (std::size_t i = 0; i < n; ++i) {
-        // Equal ends side by side: a vertex may have as many triangles as the scan.
-        const auto first = other.begin() + begin[i], last = other.begin() + begin[i + 1];
-        std::sort(first, last);
-        for (auto e = first; e != last;) {
-            const auto next_end = std::find_if(e, last, [e](std::uint32_t v) { return v != *e; });
-            if (next_end - e == 1) border[i] = border[*e] = 1;
-            e = next_end;
-        }
-    }
-    return border;
-}
 
 // Rounds of averaging that spread a value over `smoothing_mm`.
 int rounds_for(double smoothing_mm, double spacing_mm, int most) {
@@ -243,7 +214,7 @@ ScanSurface build_scan_surface(const TriMesh& mesh, const ScanSurfaceSettings& s
         scan.normals = cloud_normals(scan.vertices, radius_mm, settings, context);
         return scan;
     }
-    scan.on_border = find_border(scan.vertices.rows(), scan.triangles);
+    scan.on_border = border_vertices(scan.triangles, scan.vertices.rows(), context);
     scan.normals = vertex_normals(scan.vertices, scan.triangles);
     scan.spacing_mm = mean_edge_mm(scan.vertices, scan.triangles);
     smooth_normals(scan, settings, context);

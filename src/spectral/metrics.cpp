@@ -143,7 +143,7 @@ Vector local_roughness(const TriMesh& mesh) {
     check_surface(mesh, "the mesh");
     const Index n = mesh.vertices.rows();
     const EdgeTable table = build_edge_table(mesh.triangles, n, Context());
-    const std::vector<std::uint8_t> border = border_vertices(table, mesh.triangles, n);
+    const std::vector<std::uint8_t> border = border_vertices(table, n);
     Vector defect = Vector::Zero(n);
     for (Index f = 0; f < mesh.triangles.rows(); ++f)
         for (int c = 0; c < 3; ++c)

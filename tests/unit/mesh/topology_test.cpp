@@ -41,7 +41,7 @@ TEST(Topology, TheBorderOfAGridRunsOnceAroundWithTheSurfaceOnItsLeft) {
     ASSERT_EQ(loops.size(), 1u);
     EXPECT_EQ(loops[0], (std::vector<std::uint32_t>{0, 1, 2, 3, 7, 11, 15, 14, 13, 12, 8, 4}));
     const EdgeTable table = build_edge_table(mesh.triangles, 16, Context());
-    const auto on_border = border_vertices(table, mesh.triangles, 16);
+    const auto on_border = border_vertices(table, 16);
     EXPECT_EQ(std::accumulate(on_border.begin(), on_border.end(), 0), 12);
     EXPECT_EQ(on_border[5], 0);
 }
