@@ -6,6 +6,7 @@
 
 #include "base/dense.hpp"
 #include "base/error.hpp"
+#include "base/scalar_math.hpp"
 
 namespace mien {
 namespace {
@@ -20,10 +21,12 @@ Matrix gram_of_rows(const Context& context, const Matrix& columns) {
 /// Largest principal angle between the spans of two orthonormal bases. From the sine, which keeps
 /// small angles that the cosine loses.
 double largest_angle(const Matrix& a, const Matrix& b) {
-    if (a.cols() != b.cols()) return 1.5707963267948966;
+    if (a.cols() != b.cols()) return 0.5 * kPi;
     const Matrix outside = b - a * (a.transpose() * b);
     const Eigen::SelfAdjointEigenSolver<Matrix> eigen(Matrix(outside.transpose() * outside),
                                                       Eigen::EigenvaluesOnly);
+    if (eigen.info() != Eigen::Success)
+        fail(Status::no_solution, "the angle between two subspaces of the training was not found");
     return std::asin(std::min(1.0, std::sqrt(std::max(0.0, eigen.eigenvalues().maxCoeff()))));
 }
 

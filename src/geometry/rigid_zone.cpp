@@ -122,6 +122,8 @@ RigidZoneResult align_pairs(const PointsRef& source, const PointsRef& target,
     // Back to a rotation to rounding.
     const Eigen::JacobiSVD<Matrix3> svd(result.motion.rotation,
                                         Eigen::ComputeFullU | Eigen::ComputeFullV);
+    if (svd.info() != Eigen::Success)
+        fail(Status::no_solution, "the motion of the stable zone is not finite");
     result.motion.rotation = svd.matrixU() * svd.matrixV().transpose();
     const double l = options.correlation_length_mm;
     const double area = areas.sum();

@@ -274,6 +274,8 @@ void FitSystem::factor_vectors() {
             // A square root of H (semidefinite): its eigenvectors, scaled.
             Eigen::SelfAdjointEigenSolver<Matrix3> eigen;
             eigen.computeDirect(unpack(terms_.precision.row(i)));
+            if (eigen.info() != Eigen::Success || !eigen.eigenvalues().allFinite())
+                fail(Status::no_solution, kNotDefinite);
             const Matrix3 root = eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal() *
                                  eigen.eigenvectors().transpose();
             stacked.middleRows(3 * i, 3).noalias() = root.cast<float>() * block;

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
 
+#include "base/error.hpp"
 #include "geometry/normals.hpp"
 
 namespace mien {
@@ -36,6 +37,8 @@ Matrix3 local_rotation(const PointsRef& rest, const PointsRef& places,
     for (const std::uint32_t v : vertices)
         covariance += (places.row(v) - to).transpose() * (rest.row(v) - from);
     const Eigen::JacobiSVD<Matrix3> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    if (svd.info() != Eigen::Success)
+        fail(Status::no_solution, "registration: the turn of a fold is not finite");
     Matrix3 u = svd.matrixU();
     if ((u * svd.matrixV().transpose()).determinant() < 0) u.col(2) = -u.col(2);
     return u * svd.matrixV().transpose();

@@ -86,7 +86,11 @@ Index find_worst(const Matrix& covariance, const Vector& displacement,
     for (Index i = 0; i < m; ++i) {
         const Matrix3 block = inverse.block<3, 3>(3 * i, 3 * i);
         const Vector3 w = whitened.segment<3>(3 * i);
-        const double value = w.dot(block.ldlt().solve(w));
+        const Eigen::LDLT<Matrix3> inner(block);
+        if (inner.info() != Eigen::Success)
+            fail(Status::no_solution,
+                 "registration: a landmark's own covariance is not positive definite");
+        const double value = w.dot(inner.solve(w));
         if (value > worst_value) worst = i, worst_value = value;
     }
     return worst;

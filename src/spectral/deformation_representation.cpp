@@ -51,6 +51,8 @@ double ring_area(const Points& normals, const IncidentTriangles& incident, Index
 
 void polar_decomposition(const Matrix3& t, Matrix3& rotation, Matrix3& stretch) {
     const Eigen::JacobiSVD<Matrix3> svd(t, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    if (svd.info() != Eigen::Success)
+        fail(Status::no_solution, "a deformation gradient is not finite");
     Matrix3 u = svd.matrixU();
     if ((u * svd.matrixV().transpose()).determinant() < 0) u.col(2) = -u.col(2);
     rotation = u * svd.matrixV().transpose();

@@ -5,6 +5,7 @@
              the command; the command stands on the public headers alone
   circles    no header includes itself, not even by way of others
   length     no function in src over 80 lines
+  solvers    whoever factorises asks info(): a decomposition is named, and its name asked as often as it is made
   command    src/cli computes no statistics: no quantiles of the normal distribution stand there
   exceptions exceptions.txt lists what is excused, with a reason; a line that is not needed any more is a fault too, but
              with --allow-stale only a note
@@ -18,6 +19,9 @@ from source_text import blank, functions
 
 MOST_LINES = 80
 QUANTILES = re.compile(r"\b(1\.96|1\.9599\d*|1\.645|1\.6448\d*|2\.576|2\.5758\d*|1\.2815\d*)\b")
+# Those that can fail; QR always has an answer.
+SOLVER = re.compile(r"\bEigen::(?:\w*EigenSolver|LLT|LDLT|JacobiSVD|BDCSVD|Simplicial\w+|SparseLU|SparseQR|ConjugateGradient)\s*<")
+UNNAMED = re.compile(r"\.(?:llt|ldlt|jacobiSvd|bdcSvd)\(")
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]+["<]([^">]+)[">]', re.M)
 
 
@@ -104,6 +108,33 @@ def check_length(project, exceptions):
         yield "no function found in src: the reader of sources is broken"
 
 
+def decompositions(code):
+    """(offset, name) of each decomposition that is made under a name; name is None where it goes unnamed."""
+    for found in SOLVER.finditer(code):
+        at, depth = found.end(), 1
+        while depth and at < len(code):
+            depth += {"<": 1, ">": -1}.get(code[at], 0)
+            at += 1
+        after = re.match(r"\s*(\w+)\s*(;|\{|\((?!const ))", code[at:])
+        if after:
+            yield found.start(), after.group(1)
+    for found in UNNAMED.finditer(code):
+        yield found.start(), None
+
+
+def check_solvers(project, _):
+    for path in sources(project / "src") + sources(project / "abi"):
+        code, where = blank(path.read_text()), path.relative_to(project)
+        made = {}
+        for at, name in decompositions(code):
+            made.setdefault(name, []).append(code.count("\n", 0, at) + 1)
+        for name, lines in made.items():
+            asked = len(re.findall(rf"\b{name}(?:\.|->)info\(\)", code)) if name else 0
+            if asked < len(lines):
+                yield (f"{where}:{lines[asked]}: " + (f"{name}.info() is asked {asked} times of {len(lines)}" if name else
+                       "a decomposition without a name: nobody can ask its info()"))
+
+
 def check_command(project, exceptions):
     for path in sources(project / "src/cli"):
         where = str(path.relative_to(project))
@@ -122,7 +153,7 @@ def check_stale(project, exceptions):
             yield stale
 
 
-CHECKS = {"arrows": check_arrows, "circles": check_circles, "length": check_length, "command": check_command,
+CHECKS = {"arrows": check_arrows, "circles": check_circles, "length": check_length, "solvers": check_solvers, "command": check_command,
           "exceptions": check_stale}
 
 

@@ -17,6 +17,8 @@ CLEAN = {
 }
 LONG = "int g(int a) {\n" + "    ++a;\n" * 79 + "    return a;\n}\n"
 LONG_MEMBER = "struct S {\n    S() : a_{1}, b_(2) {\n" + "        ++b_;\n" * 80 + "    }\n    int a_, b_;\n};\n"
+SOLVES = ("struct S { Eigen::LLT<Matrix> factor; };\nint f(S& s) { return s.factor.info(); }\n"
+          "int g() {\n    const Eigen::LDLT<Eigen::Matrix<double, 6, 6>> factor(a);\n    if (factor.info()) return 0;\n    return 1;\n}\n")
 PLANTED = {
     "an arrow upward": ({"src/mesh/mesh.cpp": '#include "model/model.hpp"\n'}, "no arrow runs from mesh to model"),
     "the C ABI in the core": ({"src/base/error.cpp": "#include <mien/mien.h>\n"}, "the core knows neither"),
@@ -26,6 +28,8 @@ PLANTED = {
                  "circle of includes"),
     "a long function": ({"src/mesh/long.cpp": LONG}, "g has 82 lines"),
     "a long constructor": ({"src/mesh/long.cpp": LONG_MEMBER}, "has 82 lines"),
+    "an unasked solver": ({"src/mesh/solve.cpp": SOLVES.replace("if (factor.info()) return 0;", "")}, "factor.info() is asked 1 times of 2"),
+    "an unnamed solver": ({"src/mesh/solve.cpp": "int f(M a) { return a.ldlt().solve(1); }\n"}, "without a name"),
     "a stale exception": ({"tests/style/exceptions.txt": "src/mesh/mesh.cpp f one tight loop\n"}, "is no exception any more"),
     "an exception without a reason": ({"tests/style/exceptions.txt": "src/mesh/mesh.cpp f\n"}, "gives no reason"),
     "a quantile in the command": ({"src/cli/main.cpp": "double limit(double s) { return 1.96 * s; }\n"}, "a quantile"),
@@ -44,7 +48,8 @@ def verdict(files):
 
 
 failures = 0
-for what, files in (("a clean project", {}), ("a long function with a reason", EXCUSED)):
+for what, files in (("a clean project", {}), ("a long function with a reason", EXCUSED),
+                    ("solvers that are asked", {"src/mesh/solve.cpp": SOLVES})):
     code, text = verdict(files)
     if code:
         print(f"FAILED: {what} is refused:\n{text}")
