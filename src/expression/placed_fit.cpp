@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "base/error.hpp"
+#include "base/scalar_math.hpp"
 #include "geometry/alignment.hpp"
 
 namespace mien {
@@ -17,8 +18,9 @@ constexpr int kDoubtRounds = 4;
 constexpr double kDoubtScale = 1.2;     ///< k, of the residual that 95 % of new people stay under
 constexpr double kFlexibleShare = 0.1;  ///< noise of the flexible fit, of the model's
 constexpr double kMaxNoiseFactor =
-    100.0;                               ///< for faces that are worse than the training's all over
-constexpr double kTurnUnit = 0.01;       ///< rad per unit of a turn coordinate: a millimetre or so
+    100.0;                          ///< for faces that are worse than the training's all over
+constexpr double kTurnUnit = 0.01;  ///< rad per unit of a turn coordinate: a millimetre or so
+constexpr double kFarTurnDegrees = 3.0, kFarShiftMm = 8.0;  ///< a motion worth a rigid fit
 constexpr double kPoseVariance = 100.0;  ///< wide; keeps the system definite when little is visible
 
 using Pose6 = Eigen::Matrix<double, 6, 1>;
@@ -45,8 +47,8 @@ Similarity align_stable(const ExpressionModel& model, const PointsRef& vertices)
 bool is_far(const Similarity& motion, const PointsRef& mean) {
     const double cosine = std::min(1.0, std::max(-1.0, 0.5 * (motion.rotation.trace() - 1.0)));
     const Vector3 centre = mean.colwise().mean();
-    return std::acos(cosine) > 3.0 * 3.14159265358979 / 180.0 ||
-           (motion.apply(centre) - centre).norm() > 8.0;
+    return std::acos(cosine) > kFarTurnDegrees * kRadiansPerDegree ||
+           (motion.apply(centre) - centre).norm() > kFarShiftMm;
 }
 
 bool identity_motion(const Similarity& motion) {

@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "geometry/alignment.hpp"
 #include "geometry/laplacian.hpp"
+#include "mesh/adjacency.hpp"
 #include "spatial/triangle_tree.hpp"
 
 namespace mien {
@@ -15,27 +16,6 @@ namespace {
 
 constexpr double kFarWeight = 0.05;  ///< pull of the rigid motion on far pieces
 constexpr Index kMaxAnchors = 4000;  ///< confident neighbours that a rigid motion is fitted to
-
-/// Neighbours per vertex as one array with offsets.
-struct Adjacency {
-    std::vector<std::size_t> first;
-    std::vector<std::uint32_t> neighbours;
-};
-
-Adjacency build_adjacency(Index num_vertices, const Triangles& triangles) {
-    Adjacency graph;
-    graph.first.assign(static_cast<std::size_t>(num_vertices) + 1, 0);
-    for (Index row = 0; row < triangles.rows(); ++row)
-        for (int k = 0; k < 3; ++k) graph.first[triangles(row, k) + 1] += 2;
-    for (std::size_t i = 1; i < graph.first.size(); ++i) graph.first[i] += graph.first[i - 1];
-    graph.neighbours.resize(graph.first.back());
-    std::vector<std::size_t> next(graph.first.begin(), graph.first.end() - 1);
-    for (Index row = 0; row < triangles.rows(); ++row)
-        for (int k = 0; k < 3; ++k)
-            for (int other = 1; other < 3; ++other)
-                graph.neighbours[next[triangles(row, k)]++] = triangles(row, (k + other) % 3);
-    return graph;
-}
 
 /// Rigid motion of the anchors, or their mean translation where they do not determine a rotation.
 Similarity motion_of(const Points& anchors, const Points& moved) {
@@ -53,7 +33,7 @@ Similarity motion_of(const Points& anchors, const Points& moved) {
 void move_far_pieces(const Points& vertices, const Triangles& triangles,
                      const std::vector<char>& far, Points& displacement) {
     const Index n = vertices.rows();
-    const Adjacency graph = build_adjacency(n, triangles);
+    const VertexRings rings = build_rings(n, triangles);
     std::vector<int> ring(static_cast<std::size_t>(n), 0);
     std::vector<char> done(static_cast<std::size_t>(n), 0);
     int stamp = 0;
@@ -63,8 +43,7 @@ void move_far_pieces(const Points& vertices, const Triangles& triangles,
         done[static_cast<std::size_t>(seed)] = 1;
         ++stamp;
         for (std::size_t k = 0; k < piece.size(); ++k)
-            for (std::size_t e = graph.first[piece[k]]; e < graph.first[piece[k] + 1]; ++e) {
-                const std::uint32_t other = graph.neighbours[e];
+            for (const std::uint32_t other : rings.of(piece[k])) {
                 if (far[other]) {
                     if (!done[other]) piece.push_back(other);
                     done[other] = 1;

@@ -81,6 +81,100 @@ JointSpan span_for(const Context& context, const ColumnSource& source,
     return find_joint_span(context, source, span);
 }
 
+/// Unit modes in 3#V from coordinates in the span, whose columns take the side that side_of()
+/// chooses.
+Eigen::MatrixXf lift_modes(const Context& context, const JointSpan& span, Matrix& coordinates) {
+    Matrix modes(span.basis.rows(), coordinates.cols());
+    dense::multiply(context, 1.0, span.basis, dense::Op::none, coordinates, dense::Op::none, 0.0,
+                    modes);
+    for (Index k = 0; k < modes.cols(); ++k)
+        if (side_of(modes.col(k)) < 0.0) {
+            modes.col(k) *= -1.0;
+            coordinates.col(k) *= -1.0;
+        }
+    return modes.cast<float>();
+}
+
+ModesView view_of(const Eigen::MatrixXf& modes) {
+    return ModesView{modes.data(), modes.rows(), modes.cols()};
+}
+
+/// Mean, modes and their products, and the sides of `subspaces` with them.
+void put_modes(const Context& context, const ColumnSource& source, const JointSpan& span,
+               JointPca& subspaces, ExpressionModel& model) {
+    model.mean = Eigen::Map<const Points>(span.mean.data(), source.num_vertices, 3);
+    model.triangles = source.triangles;
+    auto storage = std::make_shared<ModesStorage>();
+    storage->identity = lift_modes(context, span, subspaces.identity);
+    storage->expression = lift_modes(context, span, subspaces.expression);
+    model.identity_modes = view_of(storage->identity);
+    model.expression_modes = view_of(storage->expression);
+    model.storage = storage;
+    const Index p = subspaces.identity.cols(), q = subspaces.expression.cols();
+    Matrix modes(subspaces.identity.rows(), p + q);
+    modes << subspaces.identity, subspaces.expression;
+    model.gram = modes.transpose() * modes;
+}
+
+/// The training faces in coordinates of the modes.
+struct Coordinates {
+    Matrix identity;    ///< p x m, of the neutral faces
+    Matrix expression;  ///< q x s, of the displacements
+};
+
+/// What is known of coordinates; with quasi-orthogonal modes also how they spill into each other.
+void put_priors(const ColumnSource& source, const JointSpan& span, const JointPca& subspaces,
+                const Coordinates& coordinates, const TrainOptions& options,
+                ExpressionModel& model) {
+    const double m = static_cast<double>(source.num_neutrals());
+    const double s = static_cast<double>(source.num_displacements());
+    model.identity_deviations = root_mean_square_rows(coordinates.identity, std::max(1.0, m - 1.0));
+    model.expression_deviations = root_mean_square_rows(coordinates.expression, s);
+    if (options.subspaces.method == TrainMethod::quasi_orthogonal)
+        model.spill = learn_spill(
+            coordinates.identity, subspaces.expression.transpose() * span.neutrals,
+            subspaces.identity.transpose() * span.displacements, coordinates.expression);
+    model.components = expression_components(coordinates.expression, source.displacement_expression,
+                                             source.expression_names, model.expression_deviations,
+                                             identities_of_faces(source, coordinates.identity),
+                                             model.identity_deviations, options.prior);
+    model.intensities = intensities_for(source.displacement_expression, options.prior);
+    model.expression_names = source.expression_names;
+    model.stable_vertices = source.stable_vertices;
+}
+
+/// The noise of both fits: given, or by leaving people out.
+NoiseLevels put_noise(const Context& context, const ColumnSource& source, const JointSpan& span,
+                      const JointPca& subspaces, const Coordinates& coordinates,
+                      const TrainOptions& options, ExpressionModel& model) {
+    NoiseLevels noise;
+    if (options.map_noise_mm2 <= 0.0 || options.mixture_noise_mm2 <= 0.0) {
+        Matrix basis = subspaces.expression;
+        if (!model.spill.empty()) basis += subspaces.identity * model.spill.expression;
+        noise = estimate_noise(context, source, span, basis, coordinates.expression,
+                               options.subspaces.identity_modes, options.prior);
+    }
+    model.map_noise_mm2 = options.map_noise_mm2 > 0.0 ? options.map_noise_mm2 : noise.map_mm2;
+    model.mixture_noise_mm2 =
+        options.mixture_noise_mm2 > 0.0 ? options.mixture_noise_mm2 : noise.mixture_mm2;
+    model.expected_residual_mm = noise.residual_mm;
+    return noise;
+}
+
+std::map<std::string, std::string> training_info(const ColumnSource& source,
+                                                 const JointPca& subspaces, bool quasi) {
+    std::map<std::string, std::string> info;
+    info["method"] = quasi ? "qojpca" : "jpca";
+    info["subjects"] = std::to_string(source.num_neutrals());
+    info["faces"] = std::to_string(source.num_neutrals() + source.num_displacements());
+    if (quasi) {
+        info["lambda"] = number_text(subspaces.lambda);
+        info["iterations"] = std::to_string(subspaces.iterations);
+        info["converged"] = subspaces.converged ? "yes" : "no";
+    }
+    return info;
+}
+
 }  // namespace
 
 std::shared_ptr<const ExpressionModel> train_expression_model(const ColumnSource& source,
@@ -91,75 +185,18 @@ std::shared_ptr<const ExpressionModel> train_expression_model(const ColumnSource
         fail(Status::invalid_argument, "at most 4000 modes of each kind can be trained");
     const JointSpan span = span_for(context, source, options);
     JointPca subspaces = joint_pca(context, span.neutrals, span.displacements, options.subspaces);
-    const Index p = subspaces.identity.cols(), q = subspaces.expression.cols();
-    const double m = static_cast<double>(source.num_neutrals());
-    const double s = static_cast<double>(source.num_displacements());
-
     auto model = std::make_shared<ExpressionModel>();
-    model->mean = Eigen::Map<const Points>(span.mean.data(), source.num_vertices, 3);
-    model->triangles = source.triangles;
-    auto storage = std::make_shared<ModesStorage>();
-    auto lift = [&](Matrix& coordinates, Eigen::MatrixXf& out) {
-        Matrix modes(span.basis.rows(), coordinates.cols());
-        dense::multiply(context, 1.0, span.basis, dense::Op::none, coordinates, dense::Op::none,
-                        0.0, modes);
-        for (Index k = 0; k < modes.cols(); ++k)
-            if (side_of(modes.col(k)) < 0.0) {
-                modes.col(k) *= -1.0;
-                coordinates.col(k) *= -1.0;
-            }
-        out = modes.cast<float>();
-        return ModesView{out.data(), out.rows(), out.cols()};
-    };
-    model->identity_modes = lift(subspaces.identity, storage->identity);
-    model->expression_modes = lift(subspaces.expression, storage->expression);
-    model->storage = storage;
-    const Matrix identity_coordinates = subspaces.identity.transpose() * span.neutrals;
-    const Matrix expression_coordinates = subspaces.expression.transpose() * span.displacements;
-    model->identity_deviations =
-        root_mean_square_rows(identity_coordinates, std::max(1.0, m - 1.0));
-    model->expression_deviations = root_mean_square_rows(expression_coordinates, s);
-    Matrix modes(subspaces.identity.rows(), p + q);
-    modes << subspaces.identity, subspaces.expression;
-    model->gram = modes.transpose() * modes;
-    const bool quasi = options.subspaces.method == TrainMethod::quasi_orthogonal;
-    Matrix expression_basis = subspaces.expression;
-    if (quasi) {
-        model->spill = learn_spill(
-            identity_coordinates, subspaces.expression.transpose() * span.neutrals,
-            subspaces.identity.transpose() * span.displacements, expression_coordinates);
-        expression_basis += subspaces.identity * model->spill.expression;
-    }
-    model->components = expression_components(
-        expression_coordinates, source.displacement_expression, source.expression_names,
-        model->expression_deviations, identities_of_faces(source, identity_coordinates),
-        model->identity_deviations, options.prior);
-    model->intensities = intensities_for(source.displacement_expression, options.prior);
-    model->expression_names = source.expression_names;
-    model->stable_vertices = source.stable_vertices;
-
-    NoiseLevels noise;
-    if (options.map_noise_mm2 <= 0.0 || options.mixture_noise_mm2 <= 0.0)
-        noise = estimate_noise(context, source, span, expression_basis, expression_coordinates,
-                               options.subspaces.identity_modes, options.prior);
-    model->map_noise_mm2 = options.map_noise_mm2 > 0.0 ? options.map_noise_mm2 : noise.map_mm2;
-    model->mixture_noise_mm2 =
-        options.mixture_noise_mm2 > 0.0 ? options.mixture_noise_mm2 : noise.mixture_mm2;
-
-    model->expected_residual_mm = noise.residual_mm;
-
-    model->info["method"] = quasi ? "qojpca" : "jpca";
-    model->info["subjects"] = std::to_string(source.num_neutrals());
-    model->info["faces"] = std::to_string(source.num_neutrals() + source.num_displacements());
-    if (quasi) {
-        model->info["lambda"] = number_text(subspaces.lambda);
-        model->info["iterations"] = std::to_string(subspaces.iterations);
-        model->info["converged"] = subspaces.converged ? "yes" : "no";
-    }
+    put_modes(context, source, span, subspaces, *model);
+    const Coordinates coordinates{subspaces.identity.transpose() * span.neutrals,
+                                  subspaces.expression.transpose() * span.displacements};
+    put_priors(source, span, subspaces, coordinates, options, *model);
+    const NoiseLevels noise =
+        put_noise(context, source, span, subspaces, coordinates, options, *model);
+    model->info =
+        training_info(source, subspaces, options.subspaces.method == TrainMethod::quasi_orthogonal);
     finish_expression_model(*model);
-
     if (report != nullptr)
-        fill_report(source, span, subspaces, identity_coordinates, expression_coordinates, noise,
+        fill_report(source, span, subspaces, coordinates.identity, coordinates.expression, noise,
                     *report);
     context.progress(Stage::training, 1.0);
     return model;

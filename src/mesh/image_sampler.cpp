@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "base/error.hpp"
+#include "base/scalar_math.hpp"
 
 namespace mien {
 namespace {
@@ -110,7 +111,7 @@ Vector3 ImageSampler::color(std::uint32_t triangle, const Vector3& barycentric,
     Vector3 sum = color(triangle, pulled_inside(barycentric));
     for (int ring = 0; ring < kRings; ++ring)
         for (int spoke = 0; spoke < kSpokes; ++spoke) {
-            const double angle_rad = (spoke + 0.5 * ring) * 2.0 * 3.14159265358979323846 / kSpokes;
+            const double angle_rad = (spoke + 0.5 * ring) * 2.0 * kPi / kSpokes;
             const double radius = radius_mm * std::sqrt((ring + 0.5) / kRings);
             const Vector3 step =
                 radius * (std::cos(angle_rad) * along + std::sin(angle_rad) * across);
