@@ -103,20 +103,17 @@ def table_of(text):
     return [line.rstrip().lower() for line in text.splitlines() if re.match(r"\d+ \S.* [-\d.naN]+ +[-\d.naN]+ +[-\d.naN]+ +[-\d.naN]+$", line)]
 
 
-def compare_visits(mien, models, scans, python):
-    """What changed between three visits: every host prints the numbers of the report."""
+def compare_visits(mien, models, scans, programs):
+    """What changed between three visits: every program (name -> command) prints the numbers of the report."""
     folder = work / "visits"
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir()
     for k, scan in enumerate(scans):
         shutil.copy(scan, folder / f"{k}.ply")
-    programs = {"C": [build / "bin/mien-visits"], "C++": [build / "bin/mien-visits-cpp"]}
-    if python:
-        programs["Python"] = [python, project / "examples/python/visits.py"]
     tables = {name: table_of(run(*command, *models, *scans)) for name, command in programs.items()}
     tables["report"] = table_of(run(mien, "report", "--visits", folder, "--model", models[0], "--expressions", models[1], "--json",
                                     work / "visits.json", "--out", work / "visits.html"))
-    print("visits: %d numbers" % (4 * len(tables["report"])))
+    print("visits: %d numbers from %s" % (4 * len(tables["report"]), ", ".join(tables)))
     if len(tables["report"]) < 10:
         failed.append("visits: the report prints no table")
     told = json.loads((work / "visits.json").read_text())["visits"][1:]
@@ -140,6 +137,7 @@ def main():
     scan = demo / "scan/scan_grin.ply"
     models = [face, expressions, scan]
 
+    visits = {"C": [build / "bin/mien-visits"], "C++": [build / "bin/mien-visits-cpp"]}
     neutral = {}
     host("C", neutral, [build / "bin/mien-first-program", *models, work / "c.ply"], work / "c.ply")
     small = ["sh", "-c", 'ulimit -s 256 && exec "$@"', "sh"]
@@ -152,6 +150,7 @@ def main():
     python = python_with_numpy()
     if python:
         host("Python", neutral, [python, project / "examples/python/main_job.py", *models, work / "py.ply", *others], work / "py.ply", said)
+        visits["Python"] = [python, project / "examples/python/visits.py"]
         print("Python:", run(python, project / "tests/bindings/walk.py", *walk).strip().splitlines()[-1])
     else:
         skipped.append("Python: no numpy (Debian package python3-numpy)")
@@ -160,6 +159,8 @@ def main():
         sources = [project / "examples/csharp" / name for name in ("Native.cs", "Classes.cs", "Runtime.cs")]
         flags = ["-langversion:7.2", "-unsafe", "-warnaserror"]
         run("mcs", *flags, f"-out:{work / 'main_job.exe'}", *sources, project / "examples/csharp/Program.cs")
+        run("mcs", *flags, f"-out:{work / 'visits.exe'}", *sources, project / "examples/csharp/ThreeVisits.cs")
+        visits["C#"] = ["mono", work / "visits.exe"]
         run("mcs", *flags, f"-out:{work / 'walk.exe'}", *sources, project / "tests/bindings/Walk.cs")
         host("C#", neutral, ["mono", work / "main_job.exe", *models, work / "cs.ply", *others], work / "cs.ply", said)
         print("C#:", run("mono", work / "walk.exe", *walk, project / "abi/layout/x86_64.txt").strip().splitlines()[-1])
@@ -170,6 +171,7 @@ def main():
         classes, jni, newer = build_java()
         java = ["java", "-Xcheck:jni", f"-Dmien.library={library}", f"-Dmien.jni={jni}", "-cp", classes]
         host("Java", neutral, [*java, "MainJob", *models, work / "java.ply", *others], work / "java.ply", said)
+        visits["Java"] = [*java, "ThreeVisits"]
         text = run(*java, "Walk", *walk)
         print("Java:", text.strip().splitlines()[-1])
         if "WARNING" in text or "FATAL" in text:
@@ -177,6 +179,7 @@ def main():
         if newer:
             foreign = [foreign_java(), "--enable-native-access=ALL-UNNAMED", "-Dmien.binding=foreign", f"-Dmien.library={library}", "-cp", newer]
             host("Java, no C", neutral, [*foreign, "MainJob", *models, work / "foreign.ply", *others], work / "foreign.ply", said)
+            visits["Java, no C"] = [*foreign, "ThreeVisits"]
             print("Java, no C:", run(*foreign, "Walk", *walk).strip().splitlines()[-1])
         else:
             skipped.append("Java by the Foreign Function API: no JDK of 22 or later (set MIEN_JAVA22 to its java)")
@@ -196,7 +199,7 @@ def main():
     from_file = {"C++": digest(work / "cpp_file.ply"), "command": digest(work / "cli_file.ply")}
     fitted = {"C++": digest(work / "cpp_fitted.ply"), "command": digest(work / "cli_fitted.ply")}
 
-    compare_visits(mien, [face, expressions], [demo / f"scan/scan_{name}.ply" for name in ("neutral", "grin", "mouth_stretch")], python)
+    compare_visits(mien, [face, expressions], [demo / f"scan/scan_{name}.ply" for name in ("neutral", "grin", "mouth_stretch")], visits)
 
     for title, hashes in (("neutral face", neutral), ("fitted face", fitted), ("neutral face of a bare mesh", from_file)):
         print(title)
