@@ -2532,8 +2532,9 @@ namespace Mien
         /// <param name="face">in the model's topology, or in a larger one that begins with it (there the displacement runs out smoothly behind
         /// the model's rim); mm.</param>
         /// <param name="options">may be left out: defaults.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MISMATCH (topology, weights), MIEN_E_NO_SOLUTION
-        /// (MIEN_FIT_EXACT with too little of the face visible), MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (a switch or an enumerator that this
+        /// library does not know), MIEN_E_MISMATCH (topology, weights), MIEN_E_NO_SOLUTION (MIEN_FIT_EXACT with too little
+        /// of the face visible), MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
         /// <remarks>C: mien_neutralize_mesh()</remarks>
         public Neutralization NeutralizeMesh(ExpressionModel model, Mesh face, NeutralizeOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
         {
@@ -2554,8 +2555,9 @@ namespace Mien
         /// <param name="face">in the model's topology, or in a larger one that begins with it (there the displacement runs out smoothly behind
         /// the model's rim); mm.</param>
         /// <param name="options">may be left out: defaults.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MISMATCH (topology, weights), MIEN_E_NO_SOLUTION
-        /// (MIEN_FIT_EXACT with too little of the face visible), MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (a switch or an enumerator that this
+        /// library does not know), MIEN_E_MISMATCH (topology, weights), MIEN_E_NO_SOLUTION (MIEN_FIT_EXACT with too little
+        /// of the face visible), MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
         /// <remarks>C: mien_neutralize_mesh()</remarks>
         public Task<Neutralization> NeutralizeMeshAsync(ExpressionModel model, Mesh face, NeutralizeOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
         {
@@ -2565,8 +2567,8 @@ namespace Mien
         /// <summary>Neutralizes every face of a dataset whose subject has a neutral face, and compares.</summary>
         /// <param name="model">in the dataset's topology.</param>
         /// <param name="options">may be left out: defaults.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MISMATCH, MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT,
-        /// MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (a fit that this library does not
+        /// know), MIEN_E_MISMATCH, MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
         /// <remarks>C: mien_evaluate_neutralization()</remarks>
         public Evaluation EvaluateNeutralization(ExpressionModel model, string datasetPath, EvaluateOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
         {
@@ -2586,8 +2588,8 @@ namespace Mien
         /// <summary>Neutralizes every face of a dataset whose subject has a neutral face, and compares.</summary>
         /// <param name="model">in the dataset's topology.</param>
         /// <param name="options">may be left out: defaults.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MISMATCH, MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT,
-        /// MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (a fit that this library does not
+        /// know), MIEN_E_MISMATCH, MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
         /// <remarks>C: mien_evaluate_neutralization()</remarks>
         public Task<Evaluation> EvaluateNeutralizationAsync(ExpressionModel model, string datasetPath, EvaluateOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
         {
@@ -3053,8 +3055,9 @@ namespace Mien
         /// <param name="faces">face_count fitted faces, mm, in one topology: the model's, or a larger one that begins with it (there the
         /// displacement runs out smoothly behind the model's rim).</param>
         /// <param name="options">may be left out: defaults.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH (topology, weights, treated
-        /// vertices), MIEN_E_NO_SOLUTION, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (a pose that this library does not
+        /// know), MIEN_E_INVALID_MESH, MIEN_E_MISMATCH (topology, weights, treated vertices), MIEN_E_NO_SOLUTION,
+        /// MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
         /// <remarks>C: mien_neutralize_visits()</remarks>
         public Visits NeutralizeVisits(ExpressionModel model, IReadOnlyList<Mesh> faces, VisitsOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
         {
@@ -3079,8 +3082,9 @@ namespace Mien
         /// <param name="faces">face_count fitted faces, mm, in one topology: the model's, or a larger one that begins with it (there the
         /// displacement runs out smoothly behind the model's rim).</param>
         /// <param name="options">may be left out: defaults.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH (topology, weights, treated
-        /// vertices), MIEN_E_NO_SOLUTION, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (a pose that this library does not
+        /// know), MIEN_E_INVALID_MESH, MIEN_E_MISMATCH (topology, weights, treated vertices), MIEN_E_NO_SOLUTION,
+        /// MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
         /// <remarks>C: mien_neutralize_visits()</remarks>
         public Task<Visits> NeutralizeVisitsAsync(ExpressionModel model, IReadOnlyList<Mesh> faces, VisitsOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
         {
@@ -5004,8 +5008,9 @@ namespace Mien
         /// read through a memory map in blocks, so the file may be larger than memory. Subjects without a neutral face are
         /// left out; missing expressions and repeated captures are fine.</summary>
         /// <param name="options">may be left out: defaults.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_ARGUMENT (an option; no neutral faces; nothing to learn), MIEN_E_IO, MIEN_E_BAD_FORMAT,
-        /// MIEN_E_CORRUPT, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_NO_SOLUTION, MIEN_E_CANCELLED</exception>
+        /// <exception cref="MienException">MIEN_E_INVALID_ARGUMENT (an option; no neutral faces; nothing to learn), MIEN_E_UNSUPPORTED_OPTION (a method
+        /// that this library does not know), MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_MEMORY_BUDGET,
+        /// MIEN_E_NO_MEMORY, MIEN_E_NO_SOLUTION, MIEN_E_CANCELLED</exception>
         /// <remarks>C: mien_expression_model_train()</remarks>
         public static ExpressionModel Train(Session session, string datasetPath, TrainOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
         {
@@ -5025,8 +5030,9 @@ namespace Mien
         /// read through a memory map in blocks, so the file may be larger than memory. Subjects without a neutral face are
         /// left out; missing expressions and repeated captures are fine.</summary>
         /// <param name="options">may be left out: defaults.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_ARGUMENT (an option; no neutral faces; nothing to learn), MIEN_E_IO, MIEN_E_BAD_FORMAT,
-        /// MIEN_E_CORRUPT, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_NO_SOLUTION, MIEN_E_CANCELLED</exception>
+        /// <exception cref="MienException">MIEN_E_INVALID_ARGUMENT (an option; no neutral faces; nothing to learn), MIEN_E_UNSUPPORTED_OPTION (a method
+        /// that this library does not know), MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_MEMORY_BUDGET,
+        /// MIEN_E_NO_MEMORY, MIEN_E_NO_SOLUTION, MIEN_E_CANCELLED</exception>
         /// <remarks>C: mien_expression_model_train()</remarks>
         public static Task<ExpressionModel> TrainAsync(Session session, string datasetPath, TrainOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
         {

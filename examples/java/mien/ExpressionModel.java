@@ -187,9 +187,9 @@ public final class ExpressionModel extends NativeObject {
      * @param options may be left out: defaults.
      * @param progress may be null; returns false to cancel
      * @param cancel may be null; interrupting the thread cancels as well
-     * @throws MienException MIEN_E_INVALID_ARGUMENT (an option; no neutral faces; nothing to learn), MIEN_E_IO,
-     * MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_NO_SOLUTION,
-     * MIEN_E_CANCELLED
+     * @throws MienException MIEN_E_INVALID_ARGUMENT (an option; no neutral faces; nothing to learn),
+     * MIEN_E_UNSUPPORTED_OPTION (a method that this library does not know), MIEN_E_IO, MIEN_E_BAD_FORMAT,
+     * MIEN_E_CORRUPT, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_NO_SOLUTION, MIEN_E_CANCELLED
      */
     public static ExpressionModel train(Session session, String datasetPath, TrainOptions options, Progress progress, Cancel cancel) {
         try (Call call = new Call()) {

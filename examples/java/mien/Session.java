@@ -390,8 +390,9 @@ public final class Session extends NativeObject {
      * @param options may be left out: defaults.
      * @param progress may be null; returns false to cancel
      * @param cancel may be null; interrupting the thread cancels as well
-     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MISMATCH (topology, weights),
-     * MIEN_E_NO_SOLUTION (MIEN_FIT_EXACT with too little of the face visible), MIEN_E_NO_MEMORY, MIEN_E_CANCELLED
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (a switch
+     * or an enumerator that this library does not know), MIEN_E_MISMATCH (topology, weights), MIEN_E_NO_SOLUTION
+     * (MIEN_FIT_EXACT with too little of the face visible), MIEN_E_NO_MEMORY, MIEN_E_CANCELLED
      */
     public Neutralization neutralizeMesh(ExpressionModel model, Mesh face, NeutralizeOptions options, Progress progress, Cancel cancel) {
         try (Call call = new Call()) {
@@ -429,8 +430,9 @@ public final class Session extends NativeObject {
      * @param options may be left out: defaults.
      * @param progress may be null; returns false to cancel
      * @param cancel may be null; interrupting the thread cancels as well
-     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MISMATCH, MIEN_E_IO,
-     * MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (a fit that
+     * this library does not know), MIEN_E_MISMATCH, MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT,
+     * MIEN_E_NO_MEMORY, MIEN_E_CANCELLED
      */
     public Evaluation evaluateNeutralization(ExpressionModel model, String datasetPath, EvaluateOptions options, Progress progress, Cancel cancel) {
         try (Call call = new Call()) {
@@ -985,8 +987,9 @@ public final class Session extends NativeObject {
      * @param options may be left out: defaults.
      * @param progress may be null; returns false to cancel
      * @param cancel may be null; interrupting the thread cancels as well
-     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH
-     * (topology, weights, treated vertices), MIEN_E_NO_SOLUTION, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (a pose
+     * that this library does not know), MIEN_E_INVALID_MESH, MIEN_E_MISMATCH (topology, weights, treated
+     * vertices), MIEN_E_NO_SOLUTION, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED
      */
     public Visits neutralizeVisits(ExpressionModel model, java.util.List<Mesh> faces, VisitsOptions options, Progress progress, Cancel cancel) {
         try (Call call = new Call()) {

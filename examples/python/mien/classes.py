@@ -1427,9 +1427,9 @@ class Session(_Object):
         face: in the model's topology, or in a larger one that begins with it (there the displacement runs out
         smoothly behind the model's rim); mm.
         options: may be left out: defaults.
-        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MISMATCH (topology, weights),
-        MIEN_E_NO_SOLUTION (MIEN_FIT_EXACT with too little of the face visible), MIEN_E_NO_MEMORY,
-        MIEN_E_CANCELLED.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (a switch or an
+        enumerator that this library does not know), MIEN_E_MISMATCH (topology, weights), MIEN_E_NO_SOLUTION
+        (MIEN_FIT_EXACT with too little of the face visible), MIEN_E_NO_MEMORY, MIEN_E_CANCELLED.
         C: mien_neutralize_mesh()
         """
         return _run("mien_neutralize_mesh", {"model": model, "face": face, "options": options, "session": self}, progress=progress, cancel=cancel)[0]
@@ -1438,8 +1438,9 @@ class Session(_Object):
         """Neutralizes every face of a dataset whose subject has a neutral face, and compares.
         model: in the dataset's topology.
         options: may be left out: defaults.
-        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MISMATCH, MIEN_E_IO,
-        MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (a fit that this
+        library does not know), MIEN_E_MISMATCH, MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_NO_MEMORY,
+        MIEN_E_CANCELLED.
         C: mien_evaluate_neutralization()
         """
         return _run("mien_evaluate_neutralization", {"model": model, "dataset_path": dataset_path, "options": options, "session": self}, progress=progress, cancel=cancel)[0]
@@ -1639,8 +1640,9 @@ class Session(_Object):
         faces: face_count fitted faces, mm, in one topology: the model's, or a larger one that begins with it
         (there the displacement runs out smoothly behind the model's rim).
         options: may be left out: defaults.
-        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH
-        (topology, weights, treated vertices), MIEN_E_NO_SOLUTION, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (a pose that this
+        library does not know), MIEN_E_INVALID_MESH, MIEN_E_MISMATCH (topology, weights, treated vertices),
+        MIEN_E_NO_SOLUTION, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED.
         C: mien_neutralize_visits()
         """
         return _run("mien_neutralize_visits", {"model": model, "faces": faces, "options": options, "session": self}, progress=progress, cancel=cancel)[0]
@@ -2596,9 +2598,9 @@ class ExpressionModel(_Object):
         are read through a memory map in blocks, so the file may be larger than memory. Subjects without a neutral
         face are left out; missing expressions and repeated captures are fine.
         options: may be left out: defaults.
-        Fails with MIEN_E_INVALID_ARGUMENT (an option; no neutral faces; nothing to learn), MIEN_E_IO,
-        MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_NO_SOLUTION,
-        MIEN_E_CANCELLED.
+        Fails with MIEN_E_INVALID_ARGUMENT (an option; no neutral faces; nothing to learn),
+        MIEN_E_UNSUPPORTED_OPTION (a method that this library does not know), MIEN_E_IO, MIEN_E_BAD_FORMAT,
+        MIEN_E_CORRUPT, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_NO_SOLUTION, MIEN_E_CANCELLED.
         C: mien_expression_model_train()
         """
         return _run("mien_expression_model_train", {"session": session, "dataset_path": dataset_path, "options": options}, progress=progress, cancel=cancel)[0]
