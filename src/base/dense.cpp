@@ -171,6 +171,38 @@ void expand(const ConstMatrixRefF& a, const ConstMatrixRefF& x, Field& field, In
 
 }  // namespace
 
+void symmetric_product(const Context& context, const ConstMatrixRefD& a,
+                       const Eigen::Ref<const Vector>& x, Eigen::Ref<Vector> out) {
+    const Index n = a.rows();
+    if (a.cols() != n || x.size() != n || out.size() != n)
+        fail(Status::internal, "symmetric product of %lldx%lld with %lld values",
+             static_cast<long long>(n), static_cast<long long>(a.cols()),
+             static_cast<long long>(x.size()));
+    // A panel's share of the result reaches from its first row down.
+    constexpr Index kPanel = 128;
+    const Index num_panels = (n + kPanel - 1) / kPanel;
+    Matrix shares(n, num_panels);
+    const auto& kernel = kernels<double>();
+    parallel_for(context, static_cast<std::size_t>(num_panels), 1, [&](std::size_t p, std::size_t) {
+        const Index first = static_cast<Index>(p) * kPanel, size = std::min(kPanel, n - first),
+                    rest = n - first - size;
+        Vector share = Vector::Zero(n - first);
+        for (Index j = 0; j < size; ++j) {
+            const auto column = a.col(first + j).segment(first + j, size - j);
+            share[j] += column.dot(x.segment(first + j, size - j));
+            share.segment(j + 1, size - j - 1) += x[first + j] * column.tail(size - j - 1);
+        }
+        if (rest > 0)
+            kernel.two_sided(rest, size, a.data() + first * a.outerStride() + first + size,
+                             a.outerStride(), x.data() + first, x.data() + first + size,
+                             share.data() + size, share.data());
+        shares.col(static_cast<Index>(p)).tail(n - first) = share;
+    });
+    out = shares.col(0);
+    for (Index p = 1; p < num_panels; ++p)
+        out.tail(n - p * kPanel) += shares.col(p).tail(n - p * kPanel);
+}
+
 bool uses_avx2() {
     static const bool supported = detect_avx2();
     return supported && !portable_only;

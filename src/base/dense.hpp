@@ -75,6 +75,10 @@ void project_rows(const Context& context, const ConstMatrixRefD& a_transposed,
 void expand_rows(const Context& context, const ConstMatrixRefD& a_transposed, const Matrix& x,
                  Points& field);
 
+/// out = A x for a symmetric A, whose lower triangle is read, once.
+void symmetric_product(const Context& context, const ConstMatrixRefD& a,
+                       const Eigen::Ref<const Vector>& x, Eigen::Ref<Vector> out);
+
 /// True when the AVX2+FMA loops are in use: the processor has them, and nobody asked for the
 /// portable ones.
 bool uses_avx2();

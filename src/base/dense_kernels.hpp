@@ -27,6 +27,10 @@ struct Kernels {
     Thin project_thin;    ///< X (k x 3) = A' Y
     Thin expand_column;   ///< the same for one column
     Thin project_column;  ///< the same for one column
+    /// below (m) += A right and right_sum (k) += A' left for A (m x k): both halves of a symmetric
+    /// product while A is read once.
+    void (*two_sided)(std::ptrdiff_t m, std::ptrdiff_t k, const Scalar* a, std::ptrdiff_t lda,
+                      const Scalar* right, const Scalar* left, Scalar* below, Scalar* right_sum);
 };
 
 const Kernels<double>& portable_kernels_f64();

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <Eigen/Eigenvalues>
 
 #include "base/dense.hpp"
 #include "base/error.hpp"
+#include "base/symmetric_eigen.hpp"
 
 namespace mien {
 namespace {
@@ -22,29 +22,17 @@ void check(const RankOptions& options) {
              options.threshold);
 }
 
-/// Eigenvalues ascending, as Eigen gives them.
-void symmetric_eigen(const Matrix& matrix, Vector& values, Matrix& vectors) {
-    Eigen::SelfAdjointEigenSolver<Matrix> solver(matrix);
-    if (solver.info() != Eigen::Success || !solver.eigenvalues().allFinite())
-        fail(Status::no_solution,
-             "the eigenvalues of the kernel's %lld x %lld block did not converge",
-             static_cast<long long>(matrix.rows()), static_cast<long long>(matrix.cols()));
-    values = solver.eigenvalues();
-    vectors = solver.eigenvectors();
-}
-
 }  // namespace
 
 LowRankBasis principal_basis(const Matrix& factor, const Vector& diagonal,
                              const RankOptions& options, const Context& context) {
     check(options);
     const Index n = factor.rows(), q = factor.cols();
-    Matrix gram(q, q), vectors;
+    Matrix gram(q, q);
     dense::weighted_gram(context, factor, Vector(), gram);
     context.progress(Stage::basis, 0.7);
-    Vector values;
-    symmetric_eigen(gram, values, vectors);
-    gram.resize(0, 0);
+    const SymmetricSpectrum spectrum(gram, "the kernel's modes", context);
+    const Vector& values = spectrum.values();
     context.progress(Stage::basis, 0.85);
 
     const double total = diagonal.sum();
@@ -60,8 +48,8 @@ LowRankBasis principal_basis(const Matrix& factor, const Vector& diagonal,
     if (rank == 0) fail(Status::no_solution, "the kernel is zero on this template");
 
     LowRankBasis result;
-    Matrix head(q, rank), basis(n, rank);
-    for (Index j = 0; j < rank; ++j) head.col(j) = vectors.col(q - 1 - j);
+    Matrix basis(n, rank);
+    const Matrix head = spectrum.strongest(rank, context).rowwise().reverse();
     dense::multiply(context, 1.0, factor, dense::Op::none, head, dense::Op::none, 0.0, basis);
     result.eigenvalues.resize(rank);
     for (Index j = 0; j < rank; ++j) {
@@ -87,13 +75,13 @@ Matrix nystrom_factor(Matrix& columns, const std::vector<std::uint32_t>& control
                       const RankOptions& options, LowRankReport& report, const Context& context) {
     check(options);
     const Index m = columns.cols();
-    Matrix block(m, m), vectors;
+    Matrix block(m, m);
     for (Index i = 0; i < m; ++i)
         block.row(i) = columns.row(control_points[static_cast<std::size_t>(i)]);
     block = (0.5 * (block + block.transpose())).eval();
     context.progress(Stage::basis, 0.1);
-    Vector values;
-    symmetric_eigen(block, values, vectors);
+    const SymmetricSpectrum spectrum(block, "the kernel's block of control points", context);
+    const Vector& values = spectrum.values();
     context.progress(Stage::basis, 0.3);
 
     const double largest = values[m - 1];
@@ -112,10 +100,8 @@ Matrix nystrom_factor(Matrix& columns, const std::vector<std::uint32_t>& control
         if (values[j] > options.threshold * largest) ++kept;
     }
     report.negative_mass = negative / mass;
-    Matrix right =
-        vectors.rightCols(kept) * values.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
-    vectors.resize(0, 0);
-    block.resize(0, 0);
+    Matrix right = spectrum.strongest(kept, context) *
+                   values.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
     Matrix factor(columns.rows(), kept);
     dense::multiply(context, 1.0, columns, dense::Op::none, right, dense::Op::none, 0.0, factor);
     columns.resize(0, 0);
