@@ -65,6 +65,59 @@ std::vector<std::uint32_t> mirror_map(const TriMesh& mesh) {
     return mirror;
 }
 
+namespace {
+
+/// The even (sign 1) or odd (sign -1) part of functions on the template: one row for each pair of
+/// vertices, times the root of two, so that products of columns are those of whole functions.
+class HalfFace {
+  public:
+    HalfFace(const std::vector<std::uint32_t>& mirror, double sign) : mirror_(mirror), sign_(sign) {
+        for (std::size_t v = 0; v < mirror.size(); ++v)
+            if (mirror[v] >= v) first_.push_back(static_cast<Index>(v));
+    }
+
+    /// Without columns that have nothing but rounding of this parity.
+    Matrix part_of(const Matrix& functions) const {
+        const auto rows = static_cast<Index>(first_.size());
+        Matrix half(rows, functions.cols());
+        Index kept = 0;
+        for (Index j = 0; j < functions.cols(); ++j) {
+            for (Index i = 0; i < rows; ++i) {
+                const Index v = first_[static_cast<std::size_t>(i)];
+                half(i, kept) =
+                    0.5 * weight(v) * (functions(v, j) + sign_ * functions(image(v), j));
+            }
+            const double least = kRounding * kRounding * functions.col(j).squaredNorm();
+            if (half.col(kept).squaredNorm() > least) ++kept;
+        }
+        half.conservativeResize(rows, kept);
+        return half;
+    }
+
+    Eigen::MatrixXf whole(const Eigen::MatrixXf& half) const {
+        Eigen::MatrixXf result(static_cast<Index>(mirror_.size()), half.cols());
+        for (Index j = 0; j < half.cols(); ++j)
+            for (std::size_t i = 0; i < first_.size(); ++i) {
+                const Index v = first_[i];
+                const auto value = static_cast<float>(half(static_cast<Index>(i), j) / weight(v));
+                result(image(v), j) = static_cast<float>(sign_) * value;
+                result(v, j) = value;
+            }
+        return result;
+    }
+
+  private:
+    static constexpr double kRounding = 1e-10;  // of a column's norm
+    Index image(Index v) const { return mirror_[static_cast<std::size_t>(v)]; }
+    double weight(Index v) const { return image(v) == v ? 1.0 : std::sqrt(2.0); }
+
+    const std::vector<std::uint32_t>& mirror_;
+    double sign_;
+    std::vector<Index> first_;  // of each pair, and the vertices of the plane
+};
+
+}  // namespace
+
 LowRankBasis mirrored_basis(const Matrix& factor, const Vector& diagonal,
                             const std::vector<std::uint32_t>& mirror, const RankOptions& options,
                             const Context& context) {
@@ -73,16 +126,13 @@ LowRankBasis mirrored_basis(const Matrix& factor, const Vector& diagonal,
     full.tolerance = 0;
     LowRankBasis parts[2];
     for (int odd = 0; odd < 2; ++odd) {
-        Matrix half(factor.rows(), factor.cols());
-        for (Index v = 0; v < factor.rows(); ++v) {
-            const Index image = static_cast<Index>(mirror[static_cast<std::size_t>(v)]);
-            if (odd == 0)
-                half.row(v) = 0.5 * (factor.row(v) + factor.row(image));
-            else
-                half.row(v) = 0.5 * (factor.row(v) - factor.row(image));
-        }
-        if (half.cwiseAbs().maxCoeff() > 0)
-            parts[odd] = principal_basis(half, diagonal, full, context);
+        const HalfFace face(mirror, odd == 0 ? 1 : -1);
+        const Matrix half = face.part_of(factor);
+        if (half.cols() == 0) continue;
+        parts[odd] = principal_basis(half, Vector::Ones(half.rows()), full, context);
+        parts[odd].basis = face.whole(parts[odd].basis);
+        parts[odd].eigenvalues *=
+            static_cast<double>(half.rows()) / static_cast<double>(factor.rows());
     }
     struct Column {
         double value;
