@@ -28,13 +28,26 @@ add_library(mien_flags INTERFACE)
 # The same bits from every compiler that fuses multiplications by default (abi/README.md).
 target_compile_options(mien_flags INTERFACE
     -Wall -Wextra -Wshadow -ffp-contract=off $<$<CXX_COMPILER_ID:GNU>:-Wno-psabi -Wno-maybe-uninitialized>
-    $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fno-gnu-unique -fpch-preprocess>)
+    $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fno-gnu-unique -fpch-preprocess>
+    # Containers give back blocks with their size, as GCC does, for the count of memory (abi/memory_count.cpp).
+    $<$<COMPILE_LANG_AND_ID:CXX,Clang,AppleClang>:-fsized-deallocation>)
 if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # Joined files hide from GCC that a class stands in a source file of its own.
     target_compile_options(mien_flags INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wno-subobject-linkage>)
 endif()
 if(MIEN_WERROR)
     target_compile_options(mien_flags INTERFACE -Werror)
+endif()
+# Guards against what a bug could be used for (SECURITY.md); a sanitizer does its own.
+if(MIEN_HARDEN AND UNIX AND NOT APPLE AND NOT MIEN_SANITIZE)
+    target_compile_options(mien_flags INTERFACE -fstack-protector-strong
+        $<$<CONFIG:Release,RelWithDebInfo,MinSizeRel>:-U_FORTIFY_SOURCE$<SEMICOLON>-D_FORTIFY_SOURCE=2>)
+    if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
+        target_compile_options(mien_flags INTERFACE -fcf-protection=full)
+    elseif(CMAKE_SYSTEM_PROCESSOR STREQUAL "aarch64")
+        target_compile_options(mien_flags INTERFACE -mbranch-protection=standard)
+    endif()
+    add_link_options(LINKER:-z,relro LINKER:-z,now LINKER:-z,noexecstack)
 endif()
 # The library and the command: a machine that has the C library has all they need.
 if(MIEN_SELF_CONTAINED AND WIN32)

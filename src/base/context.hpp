@@ -1,7 +1,9 @@
-// What a long computation gets from its caller: threads, progress, cancellation, a memory budget.
+// What a long computation gets from its caller: threads, progress, cancellation, limits of memory
+// and time.
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 
@@ -49,13 +51,18 @@ class Context {
     LogFunction log_function = nullptr;
     void* log_user = nullptr;
     std::size_t max_bytes = 0;  ///< 0: no budget
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point deadline = Clock::time_point::max();  ///< when a call has taken too long
+    bool copy_files = false;  ///< model files are read into memory rather than mapped
 
     /// Calling thread only, at fixed points of an algorithm, monotone within a stage.
     /// Throws Status::cancelled when the host or the token says so.
     void progress(Stage stage, double fraction) const;
-    /// Any thread. Throws Status::cancelled when the token says so.
+    /// Any thread. Throws Status::cancelled when the token says so, Status::time_limit after the
+    /// deadline. Costs some 30 ns with a deadline: call it per chunk of work, not per element.
     void check_cancelled() const;
-    /// Throws Status::memory_budget when `bytes` more for `what` would exceed the budget.
+    /// Throws Status::memory_budget when `bytes` more for `what` would exceed the budget, counting
+    /// what the call holds already (base/memory_budget.hpp).
     void require_memory(std::size_t bytes, const char* what) const;
     void log(LogLevel level, const char* format, ...) const
 #if defined(__GNUC__)

@@ -27,6 +27,8 @@ enum class Status : std::int32_t {
     cancelled = -16,
     callback = -17,  ///< a host callback unwound
     internal = -18,
+    busy = -19,        ///< another thread's call is using the session
+    time_limit = -20,  ///< the session's max_seconds have passed
 };
 
 /// Carries its text in place, so that throwing and copying never allocates for the text.

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/memory_budget.hpp"
+
 namespace mien {
 
 struct ThreadPool::State {
@@ -17,6 +19,7 @@ struct ThreadPool::State {
     std::condition_variable wake, finished;
     const std::function<void(std::size_t)>* body = nullptr;
     std::size_t num_chunks = 0;
+    MemoryBudget* budget = nullptr;  // of the caller; the workers' allocations are its own
     std::atomic<std::size_t> next_chunk{0};
     std::atomic<bool> failed{false};
     std::exception_ptr error;
@@ -26,6 +29,7 @@ struct ThreadPool::State {
     bool stopping = false;
 
     void work() noexcept {
+        const BudgetScope scope(budget);
         for (;;) {
             if (failed.load(std::memory_order_relaxed)) return;
             const std::size_t chunk = next_chunk.fetch_add(1, std::memory_order_relaxed);
@@ -102,6 +106,7 @@ void ThreadPool::run(std::size_t num_chunks, const std::function<void(std::size_
         const std::lock_guard<std::mutex> lock(state.mutex);
         state.body = &body;
         state.num_chunks = num_chunks;
+        state.budget = current_budget();
         state.next_chunk.store(0, std::memory_order_relaxed);
         state.failed.store(false, std::memory_order_relaxed);
         state.error = nullptr;

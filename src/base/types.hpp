@@ -4,6 +4,11 @@
 #include <cstdint>
 #include <Eigen/Core>
 
+#if !defined(MIEN_EIGEN_IS_MENDED)
+#error \
+    "Eigen's headers do not outlive a failed allocation: link Eigen3::Eigen as cmake/MienEigen.cmake leaves it"
+#endif
+
 namespace mien {
 
 using Index = Eigen::Index;

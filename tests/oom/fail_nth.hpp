@@ -45,6 +45,8 @@ struct Control {
     std::atomic<long> fail_at{0};         ///< 1 is the first allocation after arming
     std::atomic<long> seen{0};            ///< allocations since arming
     std::atomic<long> live{0};            ///< blocks taken and not given back, always counted
+    std::atomic<long long> bytes{0};      ///< the same in bytes, as the system rounds them
+    std::atomic<long long> peak{0};       ///< highest `bytes` since it was set
     std::atomic<std::size_t> largest{0};  ///< largest single request since it was set to 0
     std::atomic<std::size_t> refuse_above{~std::size_t(0)};  ///< larger requests fail, always
 };
@@ -52,6 +54,13 @@ inline Control control;
 
 inline bool available() {
     return MIEN_OOM_AVAILABLE != 0;
+}
+
+inline void count_bytes(long long change) {
+    const long long now = control.bytes += change;
+    long long peak = control.peak.load(std::memory_order_relaxed);
+    while (now > peak && !control.peak.compare_exchange_weak(peak, now)) {
+    }
 }
 
 /// True when this request is to fail.
@@ -121,47 +130,53 @@ class Sweep {
 
 #if MIEN_OOM_AVAILABLE
 
+#include <malloc.h>
+
 extern "C" {
 void* __libc_malloc(std::size_t size) noexcept;
 void* __libc_calloc(std::size_t count, std::size_t size) noexcept;
 void* __libc_realloc(void* block, std::size_t size) noexcept;
 void* __libc_memalign(std::size_t alignment, std::size_t size) noexcept;
 void __libc_free(void* block) noexcept;
+}
 
-__attribute__((visibility("default"))) void* malloc(std::size_t size) noexcept {
-    void* block = oom::refuses(size) ? nullptr : __libc_malloc(size);
-    if (block == nullptr)
+namespace oom {
+/// Counts a block, or says that there is none.
+inline void* taken(void* block) {
+    if (block == nullptr) {
         errno = ENOMEM;
-    else
-        ++oom::control.live;
+        return nullptr;
+    }
+    ++control.live;
+    count_bytes(static_cast<long long>(malloc_usable_size(block)));
     return block;
 }
+}  // namespace oom
+
+extern "C" {
+__attribute__((visibility("default"))) void* malloc(std::size_t size) noexcept {
+    return oom::taken(oom::refuses(size) ? nullptr : __libc_malloc(size));
+}
 __attribute__((visibility("default"))) void* calloc(std::size_t count, std::size_t size) noexcept {
-    void* block = oom::refuses(count * size) ? nullptr : __libc_calloc(count, size);
-    if (block == nullptr)
-        errno = ENOMEM;
-    else
-        ++oom::control.live;
-    return block;
+    return oom::taken(oom::refuses(count * size) ? nullptr : __libc_calloc(count, size));
 }
 __attribute__((visibility("default"))) void* realloc(void* old, std::size_t size) noexcept {
     if (oom::refuses(size)) {
         errno = ENOMEM;
         return nullptr;
     }
+    const long long before = old == nullptr ? 0 : static_cast<long long>(malloc_usable_size(old));
     void* block = __libc_realloc(old, size);
+    if (block == nullptr && size != 0) return nullptr;
+    oom::count_bytes((block == nullptr ? 0 : static_cast<long long>(malloc_usable_size(block))) -
+                     before);
     if (old == nullptr && block != nullptr) ++oom::control.live;
-    if (old != nullptr && block == nullptr && size == 0) --oom::control.live;
+    if (old != nullptr && block == nullptr) --oom::control.live;
     return block;
 }
 __attribute__((visibility("default"))) void* memalign(std::size_t alignment,
                                                       std::size_t size) noexcept {
-    void* block = oom::refuses(size) ? nullptr : __libc_memalign(alignment, size);
-    if (block == nullptr)
-        errno = ENOMEM;
-    else
-        ++oom::control.live;
-    return block;
+    return oom::taken(oom::refuses(size) ? nullptr : __libc_memalign(alignment, size));
 }
 __attribute__((visibility("default"))) void* aligned_alloc(std::size_t alignment,
                                                            std::size_t size) noexcept {
@@ -175,7 +190,10 @@ __attribute__((visibility("default"))) int posix_memalign(void** out, std::size_
     return 0;
 }
 __attribute__((visibility("default"))) void free(void* block) noexcept {
-    if (block != nullptr) --oom::control.live;
+    if (block != nullptr) {
+        --oom::control.live;
+        oom::count_bytes(-static_cast<long long>(malloc_usable_size(block)));
+    }
     __libc_free(block);
 }
 }

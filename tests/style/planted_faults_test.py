@@ -32,6 +32,8 @@ PLANTED = {
     "an unnamed solver": ({"src/mesh/solve.cpp": "int f(M a) { return a.ldlt().solve(1); }\n"}, "without a name"),
     "a stale exception": ({"tests/style/exceptions.txt": "src/mesh/mesh.cpp f one tight loop\n"}, "is no exception any more"),
     "an exception without a reason": ({"tests/style/exceptions.txt": "src/mesh/mesh.cpp f\n"}, "gives no reason"),
+    "a part of Eigen that leaks": ({"src/mesh/solve.cpp": "#include <Eigen/SparseLU>\n"}, "outlive a failed allocation"),
+    "a foreign Eigen in the ABI": ({"abi/a.cpp": "#include <unsupported/Eigen/MatrixFunctions>\n"}, "outlive a failed"),
     "a quantile in the command": ({"src/cli/main.cpp": "double limit(double s) { return 1.96 * s; }\n"}, "a quantile"),
 }
 EXCUSED = {"src/mesh/long.cpp": LONG, "tests/style/exceptions.txt": "src/mesh/long.cpp g it is a table of steps\n"}
