@@ -33,6 +33,7 @@ enum class Tag : std::uint32_t {
     landmarks = 0x4D530030,
     zones = 0x4D530031,
     study = 0x4D530013,
+    network = 0x4D530014,
 };
 
 /// Base of every object behind a handle. Never moved; freed by release().

@@ -1,10 +1,9 @@
 // Faces as numbers for learning.
-#include <optional>
-
 #include "arrays.hpp"
 #include "guard.hpp"
 #include "learning/face_features.hpp"
 #include "mesh/dataset.hpp"
+#include "motion.hpp"
 #include "options.hpp"
 #include "session.hpp"
 #include "spectral.hpp"
@@ -21,18 +20,6 @@ struct mien_representation : Object {
 };
 
 namespace {
-
-std::optional<Similarity> read_motion(const double* motion) {
-    if (motion == nullptr) return std::nullopt;
-    Similarity result;
-    for (int r = 0; r < 3; ++r)
-        for (int c = 0; c < 3; ++c) result.rotation(r, c) = motion[3 * r + c];
-    result.translation = Vector3(motion[9], motion[10], motion[11]);
-    if (!result.rotation.allFinite() || !result.translation.allFinite() ||
-        !(result.rotation * result.rotation.transpose()).isIdentity(1e-6))
-        fail(Status::invalid_argument, "motion is not a rotation and a translation");
-    return result;
-}
 
 mien_representation* train(const char* dataset_path, std::int32_t kind, bool neutral_only,
                            const Context& context) {
@@ -132,11 +119,7 @@ mien_status MIEN_CALL mien_representation_encode(mien_session* session,
         Similarity onto_mean;
         const Features features = data.encode(mesh.vertices, &onto_mean, call.context());
         copy_rows(features.data(), rows, row_bytes, dst, capacity, count);
-        if (motion != nullptr) {
-            for (int r = 0; r < 3; ++r)
-                for (int c = 0; c < 3; ++c) motion[3 * r + c] = onto_mean.rotation(r, c);
-            for (int r = 0; r < 3; ++r) motion[9 + r] = onto_mean.translation[r];
-        }
+        write_motion(onto_mean, motion);
     });
 }
 
@@ -153,9 +136,8 @@ mien_status MIEN_CALL mien_representation_decode(mien_session* session,
                  static_cast<unsigned long long>(row_count),
                  static_cast<long long>(data.num_vertices()));
         if (features == nullptr) fail(Status::invalid_argument, "features is null");
-        if (reinterpret_cast<std::uintptr_t>(features) % alignof(double) != 0 ||
-            reinterpret_cast<std::uintptr_t>(motion) % alignof(double) != 0)
-            fail(Status::invalid_argument, "features or motion is misaligned");
+        if (reinterpret_cast<std::uintptr_t>(features) % alignof(double) != 0)
+            fail(Status::invalid_argument, "features is misaligned");
         const Features given =
             Eigen::Map<const Features>(features, data.num_vertices(), data.num_channels());
         const std::optional<Similarity> onto_mean = read_motion(motion);

@@ -361,6 +361,28 @@ namespace Mien.Native
     }
 
     [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct NetworkOptions
+    {
+        public uint structSize;
+        public uint reserved;
+        public IntPtr cancel;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct NetworkEvaluationOptions
+    {
+        public uint structSize;
+        public int neutralOnly;
+        public int perceptual;
+        public uint reserved;
+        public IntPtr subjects;
+        public ulong subjectCount;
+        public IntPtr progress;
+        public IntPtr progressUser;
+        public IntPtr cancel;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     internal unsafe struct RepresentationOptions
     {
         public uint structSize;
@@ -887,6 +909,32 @@ namespace Mien.Native
         internal static extern int mien_mesh_decimate(IntPtr session, IntPtr mesh, ulong vertexCount, IntPtr @out, IntPtr error);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern int mien_mesh_check_same_unit(IntPtr first, IntPtr second, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_network_evaluation_options_init(IntPtr options, UIntPtr structSize);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_network_options_init(IntPtr options, UIntPtr structSize);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_network_load(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_network_load_memory(IntPtr session, IntPtr data, ulong size, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_network_get_counts(IntPtr network, IntPtr vertexCount, IntPtr codeCount, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_network_get_json(IntPtr network, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_network_get_mean(IntPtr network, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_network_encode(IntPtr session, IntPtr network, IntPtr face, IntPtr options, IntPtr motion, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_network_decode(IntPtr session, IntPtr network, IntPtr code, ulong codeCount, IntPtr motion, IntPtr options, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_network_apply(IntPtr session, IntPtr network, IntPtr face, IntPtr options, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_network_evaluate(IntPtr session, IntPtr network, IntPtr datasetPath, IntPtr options, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_network_retain(IntPtr network);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_network_release(IntPtr network);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern int mien_representation_train(IntPtr session, IntPtr datasetPath, int kind, int neutralOnly, IntPtr @out, IntPtr error);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
@@ -1521,6 +1569,45 @@ namespace Mien.Native
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         internal delegate int mien_mesh_check_same_unit_function(IntPtr first, IntPtr second, IntPtr error);
         internal static readonly mien_mesh_check_same_unit_function mien_mesh_check_same_unit = Library.Function<mien_mesh_check_same_unit_function>("mien_mesh_check_same_unit");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_network_evaluation_options_init_function(IntPtr options, UIntPtr structSize);
+        internal static readonly mien_network_evaluation_options_init_function mien_network_evaluation_options_init = Library.Function<mien_network_evaluation_options_init_function>("mien_network_evaluation_options_init");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_network_options_init_function(IntPtr options, UIntPtr structSize);
+        internal static readonly mien_network_options_init_function mien_network_options_init = Library.Function<mien_network_options_init_function>("mien_network_options_init");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_network_load_function(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
+        internal static readonly mien_network_load_function mien_network_load = Library.Function<mien_network_load_function>("mien_network_load");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_network_load_memory_function(IntPtr session, IntPtr data, ulong size, IntPtr @out, IntPtr error);
+        internal static readonly mien_network_load_memory_function mien_network_load_memory = Library.Function<mien_network_load_memory_function>("mien_network_load_memory");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_network_get_counts_function(IntPtr network, IntPtr vertexCount, IntPtr codeCount, IntPtr error);
+        internal static readonly mien_network_get_counts_function mien_network_get_counts = Library.Function<mien_network_get_counts_function>("mien_network_get_counts");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_network_get_json_function(IntPtr network, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_network_get_json_function mien_network_get_json = Library.Function<mien_network_get_json_function>("mien_network_get_json");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_network_get_mean_function(IntPtr network, IntPtr @out, IntPtr error);
+        internal static readonly mien_network_get_mean_function mien_network_get_mean = Library.Function<mien_network_get_mean_function>("mien_network_get_mean");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_network_encode_function(IntPtr session, IntPtr network, IntPtr face, IntPtr options, IntPtr motion, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_network_encode_function mien_network_encode = Library.Function<mien_network_encode_function>("mien_network_encode");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_network_decode_function(IntPtr session, IntPtr network, IntPtr code, ulong codeCount, IntPtr motion, IntPtr options, IntPtr @out, IntPtr error);
+        internal static readonly mien_network_decode_function mien_network_decode = Library.Function<mien_network_decode_function>("mien_network_decode");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_network_apply_function(IntPtr session, IntPtr network, IntPtr face, IntPtr options, IntPtr @out, IntPtr error);
+        internal static readonly mien_network_apply_function mien_network_apply = Library.Function<mien_network_apply_function>("mien_network_apply");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_network_evaluate_function(IntPtr session, IntPtr network, IntPtr datasetPath, IntPtr options, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_network_evaluate_function mien_network_evaluate = Library.Function<mien_network_evaluate_function>("mien_network_evaluate");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_network_retain_function(IntPtr network);
+        internal static readonly mien_network_retain_function mien_network_retain = Library.Function<mien_network_retain_function>("mien_network_retain");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_network_release_function(IntPtr network);
+        internal static readonly mien_network_release_function mien_network_release = Library.Function<mien_network_release_function>("mien_network_release");
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         internal delegate int mien_representation_train_function(IntPtr session, IntPtr datasetPath, int kind, int neutralOnly, IntPtr @out, IntPtr error);
         internal static readonly mien_representation_train_function mien_representation_train = Library.Function<mien_representation_train_function>("mien_representation_train");

@@ -261,6 +261,20 @@ STATIC_CHECK(offsetof(mien_zone_alignment, rotation_sd_rad) == 24, place_of_mien
 STATIC_CHECK(offsetof(mien_zone_alignment, translation_sd_mm) == 32, place_of_mien_zone_alignment_translation_sd_mm);
 STATIC_CHECK(offsetof(mien_zone_alignment, centre) == 40, place_of_mien_zone_alignment_centre);
 STATIC_CHECK(offsetof(mien_zone_alignment, matrix) == 64, place_of_mien_zone_alignment_matrix);
+STATIC_CHECK(sizeof(mien_network_options) == 16, size_of_mien_network_options);
+STATIC_CHECK(offsetof(mien_network_options, struct_size) == 0, place_of_mien_network_options_struct_size);
+STATIC_CHECK(offsetof(mien_network_options, reserved) == 4, place_of_mien_network_options_reserved);
+STATIC_CHECK(offsetof(mien_network_options, cancel) == 8, place_of_mien_network_options_cancel);
+STATIC_CHECK(sizeof(mien_network_evaluation_options) == 56, size_of_mien_network_evaluation_options);
+STATIC_CHECK(offsetof(mien_network_evaluation_options, struct_size) == 0, place_of_mien_network_evaluation_options_struct_size);
+STATIC_CHECK(offsetof(mien_network_evaluation_options, neutral_only) == 4, place_of_mien_network_evaluation_options_neutral_only);
+STATIC_CHECK(offsetof(mien_network_evaluation_options, perceptual) == 8, place_of_mien_network_evaluation_options_perceptual);
+STATIC_CHECK(offsetof(mien_network_evaluation_options, reserved) == 12, place_of_mien_network_evaluation_options_reserved);
+STATIC_CHECK(offsetof(mien_network_evaluation_options, subjects) == 16, place_of_mien_network_evaluation_options_subjects);
+STATIC_CHECK(offsetof(mien_network_evaluation_options, subject_count) == 24, place_of_mien_network_evaluation_options_subject_count);
+STATIC_CHECK(offsetof(mien_network_evaluation_options, progress) == 32, place_of_mien_network_evaluation_options_progress);
+STATIC_CHECK(offsetof(mien_network_evaluation_options, progress_user) == 40, place_of_mien_network_evaluation_options_progress_user);
+STATIC_CHECK(offsetof(mien_network_evaluation_options, cancel) == 48, place_of_mien_network_evaluation_options_cancel);
 STATIC_CHECK(sizeof(mien_representation_options) == 32, size_of_mien_representation_options);
 STATIC_CHECK(offsetof(mien_representation_options, struct_size) == 0, place_of_mien_representation_options_struct_size);
 STATIC_CHECK(offsetof(mien_representation_options, neutral_only) == 4, place_of_mien_representation_options_neutral_only);
@@ -1441,6 +1455,84 @@ JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1mesh_1check_1same_1unit(JNIEnv *en
     (void)env;
     (void)self;
     return (jint)mien_mesh_check_same_unit((const mien_mesh*)(intptr_t)first, (const mien_mesh*)(intptr_t)second, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT void JNICALL Java_mien_RawJni_mien_1network_1evaluation_1options_1init(JNIEnv *env, jobject self, jlong options, jlong struct_size) {
+    (void)env;
+    (void)self;
+    mien_network_evaluation_options_init((mien_network_evaluation_options*)(intptr_t)options, (size_t)struct_size);
+}
+
+JNIEXPORT void JNICALL Java_mien_RawJni_mien_1network_1options_1init(JNIEnv *env, jobject self, jlong options, jlong struct_size) {
+    (void)env;
+    (void)self;
+    mien_network_options_init((mien_network_options*)(intptr_t)options, (size_t)struct_size);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1network_1load(JNIEnv *env, jobject self, jlong session, jlong path, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_network_load((mien_session*)(intptr_t)session, (const char*)(intptr_t)path, (mien_network**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1network_1load_1memory(JNIEnv *env, jobject self, jlong session, jlong data, jlong size, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_network_load_memory((mien_session*)(intptr_t)session, (const void*)(intptr_t)data, (uint64_t)size, (mien_network**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1network_1get_1counts(JNIEnv *env, jobject self, jlong network, jlong vertex_count, jlong code_count, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_network_get_counts((const mien_network*)(intptr_t)network, (uint64_t*)(intptr_t)vertex_count, (uint64_t*)(intptr_t)code_count, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1network_1get_1json(JNIEnv *env, jobject self, jlong network, jlong dst, jlong capacity, jlong count, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_network_get_json((const mien_network*)(intptr_t)network, (char*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1network_1get_1mean(JNIEnv *env, jobject self, jlong network, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_network_get_mean((const mien_network*)(intptr_t)network, (mien_mesh**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1network_1encode(JNIEnv *env, jobject self, jlong session, jlong network, jlong face, jlong options, jlong motion, jlong dst, jlong capacity, jlong count, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_network_encode((mien_session*)(intptr_t)session, (const mien_network*)(intptr_t)network, (const mien_mesh*)(intptr_t)face, (const mien_network_options*)(intptr_t)options, (double*)(intptr_t)motion, (double*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1network_1decode(JNIEnv *env, jobject self, jlong session, jlong network, jlong code, jlong code_count, jlong motion, jlong options, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_network_decode((mien_session*)(intptr_t)session, (const mien_network*)(intptr_t)network, (const double*)(intptr_t)code, (uint64_t)code_count, (const double*)(intptr_t)motion, (const mien_network_options*)(intptr_t)options, (mien_mesh**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1network_1apply(JNIEnv *env, jobject self, jlong session, jlong network, jlong face, jlong options, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_network_apply((mien_session*)(intptr_t)session, (const mien_network*)(intptr_t)network, (const mien_mesh*)(intptr_t)face, (const mien_network_options*)(intptr_t)options, (mien_mesh**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1network_1evaluate(JNIEnv *env, jobject self, jlong session, jlong network, jlong dataset_path, jlong options, jlong dst, jlong capacity, jlong count, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_network_evaluate((mien_session*)(intptr_t)session, (const mien_network*)(intptr_t)network, (const char*)(intptr_t)dataset_path, (const mien_network_evaluation_options*)(intptr_t)options, (char*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT void JNICALL Java_mien_RawJni_mien_1network_1retain(JNIEnv *env, jobject self, jlong network) {
+    (void)env;
+    (void)self;
+    mien_network_retain((mien_network*)(intptr_t)network);
+}
+
+JNIEXPORT void JNICALL Java_mien_RawJni_mien_1network_1release(JNIEnv *env, jobject self, jlong network) {
+    (void)env;
+    (void)self;
+    mien_network_release((mien_network*)(intptr_t)network);
 }
 
 JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1representation_1train(JNIEnv *env, jobject self, jlong session, jlong dataset_path, jint kind, jint neutral_only, jlong out, jlong error) {

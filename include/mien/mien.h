@@ -17,6 +17,7 @@
 #include "mesh.h"
 #include "mesh_tools.h"
 #include "model.h"
+#include "network.h"
 #include "neutralization.h"
 #include "registration.h"
 #include "representation.h"

@@ -10,6 +10,7 @@
 #include "detail/measure.hpp"
 #include "detail/mesh_tools.hpp"
 #include "detail/model.hpp"
+#include "detail/network.hpp"
 #include "detail/registration.hpp"
 #include "detail/score.hpp"
 #include "detail/spectral.hpp"

@@ -83,6 +83,7 @@ void add_training_commands(CLI::App& app);
 void add_expression_commands(CLI::App& app);
 void add_measure_commands(CLI::App& app);
 void add_score_commands(CLI::App& app);
+void add_network_commands(CLI::App& app);
 void add_report_commands(CLI::App& app);
 void add_spectral_commands(CLI::App& app);
 void add_render_commands(CLI::App& app);

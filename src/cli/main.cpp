@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
         mien::cli::add_expression_commands(app);
         mien::cli::add_measure_commands(app);
         mien::cli::add_score_commands(app);
+        mien::cli::add_network_commands(app);
         mien::cli::add_report_commands(app);
         mien::cli::add_spectral_commands(app);
         mien::cli::add_render_commands(app);

@@ -26,7 +26,9 @@ Points centred(const Points& points) {
     return points.rowwise() - middle;
 }
 
-const char* name_of(FeatureKind kind) {
+}  // namespace
+
+const char* feature_kind_name(FeatureKind kind) {
     switch (kind) {
         case FeatureKind::euclidean:
             return "euclidean";
@@ -44,13 +46,12 @@ const char* name_of(FeatureKind kind) {
     fail(Status::invalid_argument, "feature kind %d is unknown", static_cast<int>(kind));
 }
 
-FeatureKind kind_of(const std::string& name) {
+FeatureKind feature_kind(const std::string& name) {
     for (int k = 1; k <= 6; ++k)
-        if (name == name_of(static_cast<FeatureKind>(k))) return static_cast<FeatureKind>(k);
+        if (name == feature_kind_name(static_cast<FeatureKind>(k)))
+            return static_cast<FeatureKind>(k);
     fail(Status::bad_format, "features of an unknown kind");
 }
-
-}  // namespace
 
 FeatureStatistics feature_statistics(Index count, const std::function<Features(Index)>& features) {
     if (count < 1) fail(Status::invalid_argument, "statistics of no face");
@@ -88,10 +89,34 @@ void denormalise(const FeatureStatistics& s, Features& f) {
     f = unit.cwiseProduct(spread_or_one(s.greatest - s.least)) + s.least;
 }
 
+namespace {
+
+/// One deviation (around the vertices' own means) and one range per channel. The middle of the
+/// range stays each vertex' own.
+void share_spread(FeatureStatistics& s) {
+    for (Index c = 0; c < s.mean.cols(); ++c) {
+        s.deviation.col(c).setConstant(std::sqrt(s.deviation.col(c).array().square().mean()));
+        const double half = 0.5 * (s.greatest.col(c) - s.least.col(c)).maxCoeff();
+        const Vector middle = 0.5 * (s.greatest.col(c) + s.least.col(c));
+        s.least.col(c) = middle.array() - half;
+        s.greatest.col(c) = middle.array() + half;
+    }
+}
+
+}  // namespace
+
+const DeformationRepresentation* FaceFeatures::deformation(const Context& context) const {
+    if (kind_ < FeatureKind::deformation) return nullptr;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!deformation_) deformation_ = std::make_shared<DeformationRepresentation>(mean_, context);
+    return deformation_.get();
+}
+
 std::shared_ptr<const FaceFeatures> FaceFeatures::train(const TrianglesRef& triangles,
                                                         const FaceSource& source, FeatureKind kind,
+                                                        FeatureSpread spread,
                                                         const Context& context) {
-    (void)name_of(kind);
+    (void)feature_kind_name(kind);
     if (source.count < 1) fail(Status::invalid_argument, "features of no face");
     Points face;
     source.face(0, face);
@@ -128,15 +153,13 @@ std::shared_ptr<const FaceFeatures> FaceFeatures::train(const TrianglesRef& tria
     }
     if (!(largest > 0)) fail(Status::invalid_mesh, "faces without extent");
     features->scale_mm_ = largest;
-    if (kind >= FeatureKind::deformation)
-        features->deformation_ =
-            std::make_shared<DeformationRepresentation>(features->mean_, context);
     features->statistics_ = feature_statistics(source.count, [&](Index k) {
         context.progress(Stage::training,
                          static_cast<double>(k) / static_cast<double>(source.count));
         source.face(k, face);
         return features->raw(face, nullptr, context);
     });
+    if (spread == FeatureSpread::per_channel) share_spread(features->statistics_);
     context.progress(Stage::training, 1.0);
     return features;
 }
@@ -151,7 +174,8 @@ Features FaceFeatures::raw(const PointsRef& face, Similarity* motion,
     if (motion != nullptr) *motion = onto_mean;
     const Points aligned = onto_mean.apply(face);
     // Deformations have no unit: a common scale of face and template cancels.
-    if (deformation_) return deformation_->encode(aligned, context);
+    if (const auto* deformation = this->deformation(context))
+        return deformation->encode(aligned, context);
     return aligned / scale_mm_;
 }
 
@@ -173,35 +197,46 @@ Points FaceFeatures::decode(const Eigen::Ref<const Features>& features, const Si
              static_cast<long long>(features.rows()), static_cast<long long>(features.cols()),
              static_cast<long long>(num_vertices()), num_channels());
     if (!features.allFinite()) fail(Status::invalid_argument, "features that are not finite");
+    const Features f = restore(features);
+    const auto* deformation = this->deformation(context);
+    const Points face =
+        deformation != nullptr ? deformation->decode(f, context) : Points(f * scale_mm_);
+    return motion != nullptr ? motion->inverse().apply(face) : face;
+}
+
+Features FaceFeatures::restore(const Eigen::Ref<const Features>& features) const {
     Features f = features;
     if (kind_ == FeatureKind::euclidean_standardised ||
         kind_ == FeatureKind::deformation_standardised)
         destandardise(statistics_, f);
     if (kind_ == FeatureKind::euclidean_normalised || kind_ == FeatureKind::deformation_normalised)
         denormalise(statistics_, f);
-    const Points face = deformation_ ? deformation_->decode(f, context) : Points(f * scale_mm_);
-    return motion != nullptr ? motion->inverse().apply(face) : face;
+    return f;
+}
+
+void FaceFeatures::append_to(const std::string& prefix, std::vector<TensorToWrite>& tensors,
+                             std::map<std::string, std::string>& metadata) const {
+    const auto n = static_cast<std::uint64_t>(num_vertices());
+    const auto c = static_cast<std::uint64_t>(num_channels());
+    tensors.push_back({prefix + "mean_shape", DType::f64, {n, 3}, mean_.vertices.data()});
+    tensors.push_back({prefix + "scale_mm", DType::f64, {1}, &scale_mm_});
+    tensors.push_back({prefix + "mean", DType::f64, {n, c}, statistics_.mean.data()});
+    tensors.push_back({prefix + "deviation", DType::f64, {n, c}, statistics_.deviation.data()});
+    tensors.push_back({prefix + "least", DType::f64, {n, c}, statistics_.least.data()});
+    tensors.push_back({prefix + "greatest", DType::f64, {n, c}, statistics_.greatest.data()});
+    tensors.push_back({prefix + "triangles",
+                       DType::u32,
+                       {static_cast<std::uint64_t>(mean_.triangles.rows()), 3},
+                       mean_.triangles.data()});
+    metadata[prefix + "features"] = feature_kind_name(kind_);
 }
 
 void FaceFeatures::save(const std::string& path, const Context& context) const {
-    const auto n = static_cast<std::uint64_t>(num_vertices());
-    const auto c = static_cast<std::uint64_t>(num_channels());
-    write_safetensors(path,
-                      {{"mean_shape", DType::f64, {n, 3}, mean_.vertices.data()},
-                       {"scale_mm", DType::f64, {1}, &scale_mm_},
-                       {"mean", DType::f64, {n, c}, statistics_.mean.data()},
-                       {"deviation", DType::f64, {n, c}, statistics_.deviation.data()},
-                       {"least", DType::f64, {n, c}, statistics_.least.data()},
-                       {"greatest", DType::f64, {n, c}, statistics_.greatest.data()},
-                       {"triangles",
-                        DType::u32,
-                        {static_cast<std::uint64_t>(mean_.triangles.rows()), 3},
-                        mean_.triangles.data()}},
-                      {{"kind", "mien-face-features"},
-                       {"format", "1.0"},
-                       {"units", "millimetres"},
-                       {"features", name_of(kind_)}},
-                      context);
+    std::vector<TensorToWrite> tensors;
+    std::map<std::string, std::string> metadata{
+        {"kind", "mien-face-features"}, {"format", "1.0"}, {"units", "millimetres"}};
+    append_to("", tensors, metadata);
+    write_safetensors(path, tensors, std::move(metadata), context);
 }
 
 std::shared_ptr<const FaceFeatures> FaceFeatures::load(const std::string& path,
@@ -209,31 +244,33 @@ std::shared_ptr<const FaceFeatures> FaceFeatures::load(const std::string& path,
                                                        const Context& context) {
     const SafetensorsFile file = SafetensorsFile::open(path, options, context);
     file.require_kind("mien-face-features", 1);
+    return read(file, "");
+}
+
+std::shared_ptr<const FaceFeatures> FaceFeatures::read(const SafetensorsFile& file,
+                                                       const std::string& prefix) {
     auto features = std::make_shared<FaceFeatures>();
-    features->kind_ = kind_of(file.metadata("features"));
-    const TensorView& mean = file.tensor("mean_shape", DType::f64, {-1, 3});
+    features->kind_ = feature_kind(file.metadata(prefix + "features"));
+    const TensorView& mean = file.tensor(prefix + "mean_shape", DType::f64, {-1, 3});
     const auto n = static_cast<std::int64_t>(mean.shape[0]);
     const std::int64_t c = features->num_channels();
     features->mean_.vertices =
         Eigen::Map<const Points>(static_cast<const double*>(mean.data), n, 3);
-    const TensorView& triangles = file.tensor("triangles", DType::u32, {-1, 3});
+    const TensorView& triangles = file.tensor(prefix + "triangles", DType::u32, {-1, 3});
     features->mean_.triangles =
         Eigen::Map<const Triangles>(static_cast<const std::uint32_t*>(triangles.data),
                                     static_cast<Index>(triangles.shape[0]), 3);
     check_mesh(features->mean_, "the features' mean shape");
     features->scale_mm_ =
-        *static_cast<const double*>(file.tensor("scale_mm", DType::f64, {1}).data);
+        *static_cast<const double*>(file.tensor(prefix + "scale_mm", DType::f64, {1}).data);
     if (!(features->scale_mm_ > 0))
         fail(Status::bad_format, "features with a scale that is not positive");
     const auto matrix = [&](const char* name) -> Features {
         return Eigen::Map<const Features>(
-            static_cast<const double*>(file.tensor(name, DType::f64, {n, c}).data), n, c);
+            static_cast<const double*>(file.tensor(prefix + name, DType::f64, {n, c}).data), n, c);
     };
     features->statistics_ = {matrix("mean"), matrix("deviation"), matrix("least"),
                              matrix("greatest")};
-    if (features->kind_ >= FeatureKind::deformation)
-        features->deformation_ =
-            std::make_shared<DeformationRepresentation>(features->mean_, context);
     return features;
 }
 

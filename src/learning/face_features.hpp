@@ -4,8 +4,11 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <string>
+#include <vector>
 
 #include "base/safetensors.hpp"
 #include "spectral/deformation_representation.hpp"
@@ -19,6 +22,18 @@ enum class FeatureKind : std::int32_t {
     deformation = 4,              ///< (3.17)
     deformation_normalised = 5,   ///< (3.18)
     deformation_standardised = 6  ///< (3.19)
+};
+
+const char* feature_kind_name(FeatureKind kind);
+/// Throws Status::bad_format for a name that is none.
+FeatureKind feature_kind(const std::string& name);
+
+/// How the spread of the features is taken.
+enum class FeatureSpread {
+    per_vertex,  ///< of every vertex and channel
+    /// Of every channel over all vertices: vertices that hardly move are not blown up, and what
+    /// operators with weights shared over the vertices rely on stays.
+    per_channel
 };
 
 /// Faces of a training set, asked for one by one, several times.
@@ -47,12 +62,23 @@ class FaceFeatures {
     /// Learns mean shape (generalised Procrustes, rigid), centre (3.6), scale (3.7) and statistics.
     static std::shared_ptr<const FaceFeatures> train(const TrianglesRef& triangles,
                                                      const FaceSource& source, FeatureKind kind,
-                                                     const Context& context);
+                                                     const Context& context) {
+        return train(triangles, source, kind, FeatureSpread::per_vertex, context);
+    }
+    static std::shared_ptr<const FaceFeatures> train(const TrianglesRef& triangles,
+                                                     const FaceSource& source, FeatureKind kind,
+                                                     FeatureSpread spread, const Context& context);
     /// safetensors, kind "mien-face-features", format 1.
     static std::shared_ptr<const FaceFeatures> load(const std::string& path,
                                                     const SafetensorsReadOptions& options,
                                                     const Context& context);
     void save(const std::string& path, const Context& context) const;
+    /// The same as a part of another file: tensors whose names begin with `prefix`, and the
+    /// metadata entry `prefix` + "features". The tensors borrow from this object.
+    static std::shared_ptr<const FaceFeatures> read(const SafetensorsFile& file,
+                                                    const std::string& prefix);
+    void append_to(const std::string& prefix, std::vector<TensorToWrite>& tensors,
+                   std::map<std::string, std::string>& metadata) const;
 
     FeatureKind kind() const { return kind_; }
     Index num_vertices() const { return mean_.vertices.rows(); }
@@ -69,14 +95,20 @@ class FaceFeatures {
     Points decode(const Eigen::Ref<const Features>& features, const Similarity* motion,
                   const Context& context) const;
 
+    /// Undoes standardisation or normalisation: coordinates over scale_mm(), or deformations.
+    Features restore(const Eigen::Ref<const Features>& features) const;
+
   private:
+    /// Null for coordinates. Factorised when it is first needed: reading a file does not wait.
+    const DeformationRepresentation* deformation(const Context& context) const;
     Features raw(const PointsRef& face, Similarity* motion, const Context& context) const;
 
     FeatureKind kind_ = FeatureKind::euclidean;
     TriMesh mean_;
     double scale_mm_ = 1;
     FeatureStatistics statistics_;
-    std::shared_ptr<const DeformationRepresentation> deformation_;
+    mutable std::mutex mutex_;
+    mutable std::shared_ptr<const DeformationRepresentation> deformation_;
 };
 
 }  // namespace mien

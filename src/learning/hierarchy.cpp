@@ -190,6 +190,7 @@ std::shared_ptr<const MeshHierarchy> connectivity_hierarchy(const TriMesh& mesh,
         for (Index i = 0; i < m; ++i)
             level.mesh.vertices.row(i) = fine.vertices.row(level.kept[static_cast<std::size_t>(i)]);
         rings = std::move(coarse);
+        level.graph = rings;
         hierarchy->levels.push_back(std::move(level));
     }
     return hierarchy;

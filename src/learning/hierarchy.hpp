@@ -9,6 +9,7 @@
 #include "base/context.hpp"
 #include "base/safetensors.hpp"
 #include "geometry/laplacian.hpp"
+#include "mesh/adjacency.hpp"
 #include "mesh/tri_mesh.hpp"
 
 namespace mien {
@@ -20,6 +21,8 @@ struct MeshLevel {
     RowSparse down;  ///< #V of this level x #V of the finer one; empty for level 0. Rows sum to 1
     RowSparse up;    ///< #V of the finer level x #V of this one. Rows sum to 1
     std::vector<std::uint32_t> kept;  ///< number in the finer level of each vertex
+    VertexRings
+        graph;  ///< of a new connectivity hierarchy, which has no triangles; not kept in files
 };
 
 struct MeshHierarchy {

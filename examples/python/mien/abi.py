@@ -364,6 +364,28 @@ class ZoneAlignment(ctypes.Structure):
     ]
 
 
+class NetworkOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("reserved", ctypes.c_uint32),
+        ("cancel", ctypes.c_void_p),
+    ]
+
+
+class NetworkEvaluationOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("neutral_only", ctypes.c_int32),
+        ("perceptual", ctypes.c_int32),
+        ("reserved", ctypes.c_uint32),
+        ("subjects", ctypes.c_void_p),
+        ("subject_count", ctypes.c_uint64),
+        ("progress", ProgressFn),
+        ("progress_user", ctypes.c_void_p),
+        ("cancel", ctypes.c_void_p),
+    ]
+
+
 class RepresentationOptions(ctypes.Structure):
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
@@ -820,6 +842,22 @@ STRUCTS = {
         ("translation_sd_mm", "scalar", "double", (), ""),
         ("centre", "fixed", "double", (3,), ""),
         ("matrix", "fixed", "double", (16,), ""),
+    ),
+    "mien_network_options": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("reserved", "reserved", "uint32_t", (), ""),
+        ("cancel", "handle", "mien_cancel", (), ""),
+    ),
+    "mien_network_evaluation_options": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("neutral_only", "scalar", "int32_t", (), ""),
+        ("perceptual", "scalar", "int32_t", (), ""),
+        ("reserved", "reserved", "uint32_t", (), ""),
+        ("subjects", "array", "int32_t", ('subject_count',), ""),
+        ("subject_count", "count", "uint64_t", (), ""),
+        ("progress", "callback", "mien_progress_fn", (), ""),
+        ("progress_user", "user", "void", (), ""),
+        ("cancel", "handle", "mien_cancel", (), ""),
     ),
     "mien_representation_options": (
         ("struct_size", "struct_size", "uint32_t", (), ""),
@@ -2042,6 +2080,90 @@ FUNCTIONS = {
         ("first", "handle", "mien_mesh", (), False, ""),
         ("second", "handle", "mien_mesh", (), False, ""),
         ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_network_evaluation_options_init": (None, (), (
+        ("options", "struct_out", "mien_network_evaluation_options", (), False, ""),
+        ("struct_size", "struct_size", "size_t", (), False, ""),
+    )),
+    "mien_network_options_init": (None, (), (
+        ("options", "struct_out", "mien_network_options", (), False, ""),
+        ("struct_size", "struct_size", "size_t", (), False, ""),
+    )),
+    "mien_network_load": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("path", "text", "char", (), False, ""),
+        ("out", "handle_out", "mien_network", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_network_load_memory": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("data", "bytes", "void", ('size',), False, ""),
+        ("size", "count", "uint64_t", (), False, ""),
+        ("out", "handle_out", "mien_network", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_network_get_counts": (ctypes.c_int32, (), (
+        ("network", "handle", "mien_network", (), False, ""),
+        ("vertex_count", "scalar_out", "uint64_t", (), True, ""),
+        ("code_count", "scalar_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_network_get_json": (ctypes.c_int32, (), (
+        ("network", "handle", "mien_network", (), False, ""),
+        ("dst", "text_out", "char", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_network_get_mean": (ctypes.c_int32, (), (
+        ("network", "handle", "mien_network", (), False, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_network_encode": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("network", "handle", "mien_network", (), False, ""),
+        ("face", "handle", "mien_mesh", (), False, ""),
+        ("options", "struct", "mien_network_options", (), True, ""),
+        ("motion", "array_out", "double", (12,), True, ""),
+        ("dst", "array_out", "double", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_network_decode": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("network", "handle", "mien_network", (), False, ""),
+        ("code", "array", "double", ('code_count',), False, ""),
+        ("code_count", "count", "uint64_t", (), False, ""),
+        ("motion", "array", "double", (12,), True, ""),
+        ("options", "struct", "mien_network_options", (), True, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_network_apply": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("network", "handle", "mien_network", (), False, ""),
+        ("face", "handle", "mien_mesh", (), False, ""),
+        ("options", "struct", "mien_network_options", (), True, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_network_evaluate": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("network", "handle", "mien_network", (), False, ""),
+        ("dataset_path", "text", "char", (), False, ""),
+        ("options", "struct", "mien_network_evaluation_options", (), True, ""),
+        ("dst", "text_out", "char", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_network_retain": (None, (), (
+        ("network", "handle", "mien_network", (), True, ""),
+    )),
+    "mien_network_release": (None, (), (
+        ("network", "handle", "mien_network", (), True, ""),
     )),
     "mien_representation_train": (ctypes.c_int32, ('session',), (
         ("session", "handle", "mien_session", (), False, ""),

@@ -95,6 +95,7 @@ class Fixtures {
     bool good_arguments(const FunctionRow& row, std::vector<Argument>& arguments);
 
     static constexpr int kSide = 12, kVertices = kSide * kSide, kFaces = 16;
+    static constexpr int kCode = 5;  ///< numbers of the network's codes
     static constexpr const char* kDataset = "abuse_faces.safetensors";
 
   private:

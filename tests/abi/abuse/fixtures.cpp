@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "../small_network.hpp"
 #include "abuse.hpp"
 
 namespace abuse {
@@ -94,6 +95,9 @@ Fixtures::Fixtures() {
                 break;
             }
         }
+    mien_network* network = nullptr;  // no function of the interface makes one
+    mien_network_load(session, "abuse_network.safetensors", &network, nullptr);
+    handles_.emplace_back("mien_network", network);
     mien_expression_model_get_counts(
         static_cast<mien_expression_model*>(handle("mien_expression_model")), nullptr,
         &identity_modes_, &expression_modes_, nullptr);
@@ -124,7 +128,7 @@ std::vector<double> Fixtures::face(int subject, int expression) const {
     return positions;
 }
 
-/// A dataset of eight subjects with two expressions, and its two shards.
+/// A dataset of eight subjects with two expressions, its two shards, and a network.
 void Fixtures::write_files(mien_session* session) const {
     const char* const names[] = {"neutral", "grin"};
     mien_dataset_writer* writer = nullptr;
@@ -137,6 +141,8 @@ void Fixtures::write_files(mien_session* session) const {
     }
     mien_dataset_writer_save(session, writer, kDataset, nullptr);
     mien_dataset_writer_release(writer);
+    const mien_test::SmallNetwork network(face(3, 0), triangles_, kCode);
+    std::ofstream("abuse_network.safetensors", std::ios::binary) << network.bytes();
     mien_shard_options options;
     mien_shard_options_init(&options, sizeof options);
     options.part_count = 2;

@@ -52,6 +52,7 @@ constexpr Number kNumbers[] = {
     {"statistics", "blank_count", 12},
     {"representation", "row_count", Fixtures::kVertices},
     {"hierarchy", "row_count", Fixtures::kVertices},
+    {"network", "code_count", Fixtures::kCode},
     {"", "vertex_count", 9},
     {"", "level", 1},
     {"", "direction", MIEN_MAP_DOWN},

@@ -895,6 +895,71 @@ final class RawForeign implements Raw {
         try { return (int) mien_mesh_check_same_unit.invokeExact(first, second, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
     }
 
+    private final MethodHandle mien_network_evaluation_options_init = library.find("mien_network_evaluation_options_init", FunctionDescriptor.ofVoid(JAVA_LONG, JAVA_LONG));
+    @Override public void mien_network_evaluation_options_init(long options, long structSize) {
+        try { mien_network_evaluation_options_init.invokeExact(options, structSize); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_network_options_init = library.find("mien_network_options_init", FunctionDescriptor.ofVoid(JAVA_LONG, JAVA_LONG));
+    @Override public void mien_network_options_init(long options, long structSize) {
+        try { mien_network_options_init.invokeExact(options, structSize); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_network_load = library.find("mien_network_load", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_network_load(long session, long path, long out, long error) {
+        try { return (int) mien_network_load.invokeExact(session, path, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_network_load_memory = library.find("mien_network_load_memory", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_network_load_memory(long session, long data, long size, long out, long error) {
+        try { return (int) mien_network_load_memory.invokeExact(session, data, size, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_network_get_counts = library.find("mien_network_get_counts", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_network_get_counts(long network, long vertexCount, long codeCount, long error) {
+        try { return (int) mien_network_get_counts.invokeExact(network, vertexCount, codeCount, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_network_get_json = library.find("mien_network_get_json", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_network_get_json(long network, long dst, long capacity, long count, long error) {
+        try { return (int) mien_network_get_json.invokeExact(network, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_network_get_mean = library.find("mien_network_get_mean", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_network_get_mean(long network, long out, long error) {
+        try { return (int) mien_network_get_mean.invokeExact(network, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_network_encode = library.find("mien_network_encode", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_network_encode(long session, long network, long face, long options, long motion, long dst, long capacity, long count, long error) {
+        try { return (int) mien_network_encode.invokeExact(session, network, face, options, motion, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_network_decode = library.find("mien_network_decode", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_network_decode(long session, long network, long code, long codeCount, long motion, long options, long out, long error) {
+        try { return (int) mien_network_decode.invokeExact(session, network, code, codeCount, motion, options, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_network_apply = library.find("mien_network_apply", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_network_apply(long session, long network, long face, long options, long out, long error) {
+        try { return (int) mien_network_apply.invokeExact(session, network, face, options, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_network_evaluate = library.find("mien_network_evaluate", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_network_evaluate(long session, long network, long datasetPath, long options, long dst, long capacity, long count, long error) {
+        try { return (int) mien_network_evaluate.invokeExact(session, network, datasetPath, options, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_network_retain = library.find("mien_network_retain", FunctionDescriptor.ofVoid(JAVA_LONG));
+    @Override public void mien_network_retain(long network) {
+        try { mien_network_retain.invokeExact(network); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_network_release = library.find("mien_network_release", FunctionDescriptor.ofVoid(JAVA_LONG));
+    @Override public void mien_network_release(long network) {
+        try { mien_network_release.invokeExact(network); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
     private final MethodHandle mien_representation_train = library.find("mien_representation_train", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_INT, JAVA_INT, JAVA_LONG, JAVA_LONG));
     @Override public int mien_representation_train(long session, long datasetPath, int kind, int neutralOnly, long out, long error) {
         try { return (int) mien_representation_train.invokeExact(session, datasetPath, kind, neutralOnly, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
