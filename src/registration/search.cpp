@@ -9,6 +9,7 @@
 #include "base/scalar_math.hpp"
 #include "geometry/alignment.hpp"
 #include "geometry/normals.hpp"
+#include "geometry/principal_frame.hpp"
 
 namespace mien {
 namespace {
@@ -76,6 +77,22 @@ double score(const Probe& probe, const ScanView& scan, const Similarity& motion,
     return sum / static_cast<double>(std::max<Index>(1, probe.places.rows()));
 }
 
+// The same of points that stand for the scan; `motion` leads to the field's own frame.
+double scout_score(const Probe& probe, const SearchField& field, const Similarity& motion,
+                   double s) {
+    double sum = 0;
+    for (Index i = 0; i < probe.places.rows(); ++i) {
+        const Vector3 place = motion.apply(Vector3(probe.places.row(i)));
+        const SearchField::Near near = field.near(place);
+        if (near.place == nullptr) continue;
+        const Eigen::Map<const Vector3> there(near.place), normal(near.normal);
+        const double agreement = normal.dot(motion.rotation * probe.normals.row(i).transpose());
+        if (agreement <= 0) continue;
+        sum += std::exp(-0.5 * (there - place).squaredNorm() / (s * s)) * agreement;
+    }
+    return sum / static_cast<double>(std::max<Index>(1, probe.places.rows()));
+}
+
 // Point-to-point with robust weights; the far part of the probe gets none.
 Similarity sharpen(const Probe& probe, const ScanView& scan, Similarity motion,
                    const SharpenSettings& schedule, const SearchSettings& settings) {
@@ -108,19 +125,22 @@ Similarity sharpen(const Probe& probe, const ScanView& scan, Similarity motion,
     return motion;
 }
 
-std::vector<Matrix3> rotation_grid(double max_rad, double step_rad) {
-    std::vector<Matrix3> grid;
-    const int n = static_cast<int>(std::ceil(max_rad / step_rad));
-    for (int a = -n; a <= n; ++a)
-        for (int b = -n; b <= n; ++b)
-            for (int c = -n; c <= n; ++c) {
-                const Vector3 w = step_rad * Vector3(a, b, c);
-                if (w.norm() > max_rad + 1e-9) continue;
-                grid.push_back(w.norm() > 0
-                                   ? Eigen::AngleAxisd(w.norm(), w.normalized()).toRotationMatrix()
-                                   : Matrix3(Matrix3::Identity()));
-            }
-    return grid;
+// Directions that are spread evenly over the sphere: the golden spiral.
+std::vector<Vector3> even_directions(int count) {
+    const double golden_rad = kPi * (3 - std::sqrt(5.0));
+    std::vector<Vector3> directions;
+    for (int k = 0; k < count; ++k) {
+        const double height = 1 - (2 * k + 1) / static_cast<double>(count);
+        const double radius = std::sqrt(1 - height * height);
+        directions.push_back(
+            {radius * std::cos(golden_rad * k), radius * std::sin(golden_rad * k), height});
+    }
+    return directions;
+}
+
+// Turns +z into `view`, by the shortest way.
+Matrix3 towards(const Vector3& view) {
+    return Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), view).toRotationMatrix();
 }
 
 // A thinned scan for the summits: every k-th vertex that has a normal.
@@ -137,14 +157,14 @@ std::vector<Index> thin_out(const ScanView& scan, Index about) {
 std::vector<Vector3> find_summits(const ScanView& scan, const std::vector<Index>& thin,
                                   const Vector3& view, const SearchSettings& settings) {
     const Points& vertices = scan.surface().vertices;
-    std::vector<std::pair<double, Index>> heights(thin.size());
-    for (std::size_t j = 0; j < thin.size(); ++j)
-        heights[j] = {-vertices.row(thin[j]).dot(view), thin[j]};
+    std::vector<std::pair<double, Index>> heights;
+    for (const Index i : thin)
+        if (scan.vertex_normal(i).dot(view) >= settings.summit_facing)
+            heights.push_back({-vertices.row(i).dot(view), i});
     std::sort(heights.begin(), heights.end());
     std::vector<Vector3> summits;
     for (const auto& [height, i] : heights) {
         const Vector3 place = vertices.row(i).transpose();
-        if (scan.vertex_normal(i).dot(view) < settings.summit_facing) continue;
         bool apart = true;
         for (const Vector3& other : summits)
             apart = apart && (place - other).norm() > settings.summit_distance_mm;
@@ -158,14 +178,7 @@ std::vector<Vector3> find_summits(const ScanView& scan, const std::vector<Index>
 struct Candidate {
     Similarity motion;
     double score = 0;
-    bool exists = false;  // the rotation has so many summits
 };
-
-// Best first; equal ones in their order.
-void rank(std::vector<Candidate>& candidates) {
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
-}
 
 struct Probes {
     Probe coarse, fine;
@@ -180,72 +193,55 @@ Probes make_probes(const DeformationModel& model, const SearchSettings& settings
     return probes;
 }
 
-// Each rotation with the template's tip at each of the scan's summits.
-std::vector<Candidate> start_candidates(const Probes& probes, const ScanView& scan,
-                                        const std::vector<Matrix3>& rotations,
-                                        const SearchSettings& settings, const Context& context) {
+// Each rotation with the template's tip at each of the scan's summits, scored roughly. Directions
+// and rolls are those of the scan's own frame.
+std::vector<Candidate> scout(const Probes& probes, const ScanView& scan,
+                             const SearchSettings& settings, const Context& context) {
+    const Matrix3 frame = principal_frame(scan.surface().vertices, scan.surface().triangles);
     const std::vector<Index> thin = thin_out(scan, settings.scan_vertices);
-    const std::size_t most = static_cast<std::size_t>(settings.summits);
-    std::vector<std::vector<Vector3>> summits(rotations.size());
-    parallel_for(context, rotations.size(), 4, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k)
-            summits[k] = find_summits(scan, thin, rotations[k] * Vector3::UnitZ(), settings);
-    });
-    std::vector<Candidate> candidates(rotations.size() * most);
-    for (std::size_t k = 0; k < rotations.size(); ++k)
-        for (std::size_t s = 0; s < summits[k].size(); ++s) {
-            Candidate& candidate = candidates[k * most + s];
-            candidate.motion.rotation = rotations[k];
-            candidate.motion.translation = summits[k][s] - rotations[k] * probes.coarse.tip;
-            candidate.exists = true;
+    const SearchField field(scan, thin, frame, settings.field);
+    const std::vector<Vector3> views = even_directions(settings.views);
+    std::vector<std::vector<Candidate>> found(views.size());
+    parallel_for(context, views.size(), 4, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            const std::vector<Vector3> summits =
+                find_summits(scan, thin, frame * views[k], settings);
+            for (int roll = 0; roll < settings.rolls; ++roll) {
+                const double roll_rad = 2 * kPi * roll / settings.rolls;
+                Similarity own;
+                own.rotation = towards(views[k]) *
+                               Eigen::AngleAxisd(roll_rad, Vector3::UnitZ()).toRotationMatrix();
+                Candidate candidate;
+                candidate.motion.rotation = frame * own.rotation;
+                for (const Vector3& summit : summits) {
+                    own.translation = frame.transpose() * summit - own.rotation * probes.coarse.tip;
+                    candidate.motion.translation = frame * own.translation;
+                    candidate.score =
+                        scout_score(probes.coarse, field, own, settings.scout_scale_mm);
+                    found[k].push_back(candidate);
+                }
+            }
         }
+    });
+    std::vector<Candidate> candidates;
+    for (const std::vector<Candidate>& of_view : found)
+        candidates.insert(candidates.end(), of_view.begin(), of_view.end());
     return candidates;
 }
 
-void sharpen_all(const Probes& probes, const ScanView& scan, const SearchSettings& settings,
-                 std::vector<Candidate>& candidates, const Context& context) {
-    const std::size_t chunk = 16;
+// Best first, and no more than `most`; equal ones in their order.
+void keep_best(std::vector<Candidate>& candidates, std::size_t most) {
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
+    candidates.resize(std::min(candidates.size(), most));
+}
+
+template <typename Improve>
+void improve_all(std::vector<Candidate>& candidates, std::size_t chunk, const Context& context,
+                 const Improve& improve) {
     parallel_for(context, candidates.size(), chunk, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k) {
-            Candidate& candidate = candidates[k];
-            if (!candidate.exists) continue;
-            candidate.motion =
-                sharpen(probes.coarse, scan, candidate.motion, settings.first, settings);
-            candidate.score =
-                score(probes.coarse, scan, candidate.motion, settings.coarse_scale_mm, settings);
-        }
+        for (std::size_t k = begin; k < end; ++k) improve(candidates[k]);
     });
-}
-
-SearchResult refine_best(const Probes& probes, const ScanView& scan, const SearchSettings& settings,
-                         std::vector<Candidate> candidates, const Context& context) {
-    rank(candidates);
-    candidates.resize(std::min(candidates.size(), settings.candidates));
-    parallel_for(context, candidates.size(), 1, [&](std::size_t k, std::size_t) {
-        Candidate& candidate = candidates[k];
-        candidate.motion =
-            sharpen(probes.coarse, scan, candidate.motion, settings.second, settings);
-        candidate.motion = sharpen(probes.fine, scan, candidate.motion, settings.third, settings);
-        candidate.score =
-            score(probes.fine, scan, candidate.motion, settings.fine_scale_mm, settings);
-    });
-    rank(candidates);
-    return {candidates.front().motion, candidates.front().score};
-}
-
-// The 24 turns of the cube: every rotation lies within 63 degrees of one.
-std::vector<Matrix3> cube_rotations() {
-    std::vector<Matrix3> turns;
-    for (int x = 0; x < 3; ++x)
-        for (int y = 0; y < 3; ++y)
-            for (int signs = 0; signs < 4 && x != y; ++signs) {
-                Matrix3 turn = Matrix3::Zero();
-                turn(x, 0) = signs % 2 == 0 ? 1 : -1;
-                turn(y, 1) = signs / 2 == 0 ? 1 : -1;
-                turn.col(2) = Vector3(turn.col(0)).cross(Vector3(turn.col(1)));
-                turns.push_back(turn);
-            }
-    return turns;
 }
 
 }  // namespace
@@ -253,60 +249,35 @@ std::vector<Matrix3> cube_rotations() {
 SearchResult search_pose(const DeformationModel& model, const ScanView& scan,
                          const SearchSettings& settings, const Context& context) {
     const Probes probes = make_probes(model, settings);
-    std::vector<Candidate> candidates =
-        start_candidates(probes, scan,
-                         rotation_grid(settings.range_deg * kRadiansPerDegree,
-                                       settings.step_deg * kRadiansPerDegree),
-                         settings, context);
-    sharpen_all(probes, scan, settings, candidates, context);
-    context.progress(Stage::alignment, 0.3);
-    const SearchResult found = refine_best(probes, scan, settings, std::move(candidates), context);
-    context.progress(Stage::alignment, 0.45);
-    return found;
-}
-
-SearchResult search_all_poses(const DeformationModel& model, const ScanView& scan,
-                              const SearchSettings& settings, const Context& context) {
-    const Probes probes = make_probes(model, settings);
-    const std::vector<Matrix3> near = rotation_grid(settings.range_deg * kRadiansPerDegree,
-                                                    settings.all_step_deg * kRadiansPerDegree);
-    std::vector<Matrix3> rotations;
-    for (const Matrix3& turn : cube_rotations())
-        for (const Matrix3& rotation : near) rotations.push_back(turn * rotation);
-    std::vector<Candidate> candidates =
-        start_candidates(probes, scan, rotations, settings, context);
-    const std::size_t chunk = 64;
-    parallel_for(context, candidates.size(), chunk, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k)
-            if (candidates[k].exists)
-                candidates[k].score = score(probes.coarse, scan, candidates[k].motion,
-                                            settings.all_scale_mm, settings);
+    std::vector<Candidate> candidates = scout(probes, scan, settings, context);
+    keep_best(candidates, settings.sharpened);
+    context.progress(Stage::alignment, 0.2);
+    improve_all(candidates, 16, context, [&](Candidate& one) {
+        one.motion = sharpen(probes.coarse, scan, one.motion, settings.first, settings);
+        one.score = score(probes.coarse, scan, one.motion, settings.coarse_scale_mm, settings);
     });
-    rank(candidates);
-    candidates.resize(std::min(candidates.size(), settings.all_candidates));
-    sharpen_all(probes, scan, settings, candidates, context);
-    return refine_best(probes, scan, settings, std::move(candidates), context);
+    keep_best(candidates, settings.candidates);
+    context.progress(Stage::alignment, 0.3);
+    improve_all(candidates, 1, context, [&](Candidate& one) {
+        one.motion = sharpen(probes.coarse, scan, one.motion, settings.second, settings);
+        one.motion = sharpen(probes.fine, scan, one.motion, settings.third, settings);
+        one.score = score(probes.fine, scan, one.motion, settings.fine_scale_mm, settings);
+    });
+    keep_best(candidates, 1);
+    context.progress(Stage::alignment, 0.45);
+    if (candidates.empty()) return {};
+    return {candidates.front().motion, candidates.front().score};
 }
 
 SearchResult search_pose_and_side(const DeformationModel& model, ScanView& scan,
                                   const SearchSettings& settings, const Context& context) {
-    SearchResult found = search_pose(model, scan, settings, context);
-    if (found.score >= settings.sure) return found;
-    Context quiet = context;  // further searches would report the first one's fractions again
-    quiet.progress_function = nullptr;
-    const auto better = [&](const SearchResult& other) {
-        return other.score > found.score + settings.turned_by;
-    };
-    const SearchResult anywhere = search_all_poses(model, scan, settings, quiet);
-    if (better(anywhere)) found = anywhere;
+    const SearchResult found = search_pose(model, scan, settings, context);
     if (found.score >= settings.good) return found;
+    Context quiet = context;  // a further search would report the first one's fractions again
+    quiet.progress_function = nullptr;
     scan.turn_over();
-    SearchResult turned = search_pose(model, scan, settings, quiet);
-    if (turned.score < settings.sure) {
-        const SearchResult turned_anywhere = search_all_poses(model, scan, settings, quiet);
-        if (turned_anywhere.score > turned.score + settings.turned_by) turned = turned_anywhere;
-    }
-    if (better(turned)) return turned;
+    const SearchResult turned = search_pose(model, scan, settings, quiet);
+    if (turned.score > found.score + settings.turned_by) return turned;
     scan.turn_over();
     return found;
 }
