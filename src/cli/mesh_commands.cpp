@@ -1,6 +1,7 @@
 // `mien mesh`: look at a mesh, and mend what error messages complain of.
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 #include "commands.hpp"
 
@@ -89,7 +90,11 @@ double unit_in_mm(const std::string& name) {
         {"in", 25.4}, {"inch", 25.4}, {"ft", 304.8}, {"foot", 304.8}};
     for (const auto& [known, to_mm] : units)
         if (known == name) return to_mm;
-    throw std::runtime_error("--units " + name + ": use mm, cm, dm, m, km, in or ft");
+    char* end = nullptr;
+    const double to_mm = std::strtod(name.c_str(), &end);
+    if (end != name.c_str() && *end == '\0' && to_mm > 0 && std::isfinite(to_mm)) return to_mm;
+    throw std::runtime_error("--units " + name +
+                             ": use mm, cm, dm, m, km, in, ft, or the mm that one unit is long");
 }
 
 namespace {
@@ -202,8 +207,9 @@ void add_mesh_commands(CLI::App& app) {
     arguments = fresh();
     CLI::App& scale = add(mesh, "scale", "bring a mesh to millimetres, or scale it", arguments,
                           "scale scan.obj scan_mm.ply --units in", run_scale);
-    auto* unit = scale.add_option("--units", arguments->unit,
-                                  "what the file is in: mm, cm, dm, m, km, in or ft");
+    auto* unit = scale.add_option(
+        "--units", arguments->unit,
+        "what the file is in: mm, cm, dm, m, km, in, ft, or the mm that one unit is long");
     scale.add_option("--factor", arguments->factor, "every coordinate times this")->excludes(unit);
     arguments = fresh();
     CLI::App& turn = add(mesh, "turn", "rotate, mirror or turn a mesh inside out", arguments,

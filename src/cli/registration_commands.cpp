@@ -162,9 +162,8 @@ void add_registration_commands(CLI::App& app) {
         ->capture_default_str();
     command
         ->add_option("--units", arguments->units,
-                     "detect the scan's unit, name it (mm, cm, dm, m, km, in, ft), or refuse "
-                     "all but mm")
-        ->check(CLI::IsMember({"detect", "refuse", "mm", "cm", "dm", "m", "km", "in", "ft"}))
+                     "detect the scan's unit, name it (mm, cm, dm, m, km, in, ft, or the mm that "
+                     "one unit is long), or refuse all but mm")
         ->capture_default_str();
     command->add_flag("--mend-landmarks", arguments->mend_landmarks,
                       "exchange landmarks back whose left and right are exchanged");

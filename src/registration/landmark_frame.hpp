@@ -1,15 +1,18 @@
 // Units and frame of a scan and its landmarks, settled by the landmarks: their distances from each
 // other tell what unit they are in, and that they lie on the scan tells what unit it is in.
 //
-// Each pair of landmarks gives a ratio of its distance to the template's; the median over all pairs
-// holds while less than a third of them is wrong. 3D Slicer writes landmarks in RAS and meshes in
-// LPS: half a turn about z between the two.
+// Each pair of landmarks gives a ratio of its distance to the template's; the median over a
+// landmark's pairs, and of these over the landmarks, holds while less than half of them is wrong.
+// Where that is no unit at all (a scan from photographs alone knows no size), the face is taken to
+// be as large as the template, and the host is told that its size is a guess. 3D Slicer writes
+// landmarks in RAS and meshes in LPS: half a turn about z between the two.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "model/deformation_model.hpp"
+#include "registration/units.hpp"
 
 namespace mien {
 
@@ -26,6 +29,7 @@ struct LandmarkFrame {
     bool settled = false;                  ///< the landmarks lie on the scan in these units
     double scan_to_mm = 1;                 ///< one unit of the scan
     double landmarks_to_mm = 1;            ///< one unit of the landmarks
+    bool unit_guessed = false;             ///< no known unit: the template's size was taken
     bool half_turn = false;                ///< the landmarks' x and y are negated
     std::vector<LandmarkPoint> landmarks;  ///< in the scan's unit and frame
 };
@@ -35,7 +39,8 @@ struct LandmarkFrame {
 /// then they come back as they are. O(#landmarks scan_vertices).
 LandmarkFrame settle_landmark_frame(const DeformationModel& model, const PointsRef& scan,
                                     const std::vector<LandmarkPoint>& landmarks,
-                                    double known_scan_to_mm, const LandmarkFrameSettings& settings);
+                                    double known_scan_to_mm, const LandmarkFrameSettings& settings,
+                                    const UnitSettings& unit);
 
 /// What was done, in words; empty when nothing was.
 std::string describe(const LandmarkFrame& frame);

@@ -1,5 +1,8 @@
 #include "registration/registration.hpp"
 
+#include <cmath>
+#include <cstdio>
+
 #include "mesh/length_unit.hpp"
 #include "registration/output.hpp"
 
@@ -22,6 +25,64 @@ RegistrationResult register_prepared(const DeformationModel& model, const Prepar
     return make_result({model, scan, prior, start, fit, gap, inner}, settings, context);
 }
 
+namespace {
+
+// A face was found in no known unit: whatever has a size is a guess.
+void doubt_unit(Verdict& verdict) {
+    if (verdict.quality == FitQuality::good) verdict.quality = FitQuality::doubtful;
+    char reason[300];
+    std::snprintf(
+        reason, sizeof reason,
+        "no known unit fits the scan: one unit was taken for %.4g mm, as if the face were "
+        "as large as the template; lengths and volumes are a guess until the unit is "
+        "given or the scan is scaled to mm",
+        verdict.unit_to_mm);
+    verdict.reasons.emplace_back(reason);
+}
+
+// No face where one was expected: perhaps one of another size, as in a body in centimetres.
+void try_other_units(const DeformationModel& model, const TriMesh& raw, const PriorState& prior,
+                     const std::vector<LandmarkPoint>& landmarks, double extent,
+                     IntakeSettings intake, const RegistrationSettings& settings,
+                     RegistrationResult& result, const Context& quiet) {
+    const double tried_mm = result.verdict.unit_to_mm;
+    for (const LengthUnit& unit : plausible_units(extent)) {
+        if (unit.to_mm == tried_mm) continue;
+        intake.unit_to_mm = unit.to_mm;
+        RegistrationResult other = register_prepared(model, prepare_scan(raw, intake, quiet), prior,
+                                                     landmarks, settings, quiet);
+        if (other.verdict.search_score >
+            result.verdict.search_score + settings.start.search.turned_by)
+            result = std::move(other);
+    }
+}
+
+// The unit, of any size, in which a face is found best; 0 when it is in none.
+double guess_unit_mm(const DeformationModel& model, const TriMesh& raw, double extent,
+                     IntakeSettings intake, const RegistrationSettings& settings,
+                     const Context& quiet) {
+    const GuessSettings& guess = settings.guess;
+    double best_mm = 0, best_score = guess.sure;
+    const auto attempt = [&](double unit_mm) {
+        intake.unit_to_mm = unit_mm;
+        const PreparedScan scan = prepare_scan(raw, intake, quiet);
+        ScanView view(scan.surface);
+        const double score = search_pose_and_side(model, view, settings.start.search, quiet).score;
+        if (score <= best_score) return;
+        best_score = score;
+        best_mm = unit_mm;
+    };
+    for (double size_mm = guess.smallest_mm; size_mm <= guess.largest_mm; size_mm *= guess.step)
+        attempt(size_mm / extent);
+    if (best_mm == 0) return 0;
+    const double middle_mm = best_mm, half_step = std::pow(guess.step, 1 / 3.0);
+    attempt(middle_mm / half_step);
+    attempt(middle_mm * half_step);
+    return best_mm;
+}
+
+}  // namespace
+
 RegistrationResult register_scan(const DeformationModel& model, const TriMesh& raw,
                                  const std::vector<LandmarkPoint>& landmarks,
                                  const RegistrationSettings& settings, const Context& context) {
@@ -31,8 +92,8 @@ RegistrationResult register_scan(const DeformationModel& model, const TriMesh& r
     const double known_mm = intake.unit_to_mm > 0                   ? intake.unit_to_mm
                             : intake.units == UnitRule::millimetres ? 1.0
                                                                     : 0.0;
-    const LandmarkFrame frame =
-        settle_landmark_frame(model, raw.vertices, landmarks, known_mm, settings.frame);
+    const LandmarkFrame frame = settle_landmark_frame(model, raw.vertices, landmarks, known_mm,
+                                                      settings.frame, intake.unit);
     if (frame.settled && intake.units != UnitRule::refuse) intake.unit_to_mm = frame.scan_to_mm;
     const PreparedScan scan = prepare_scan(raw, intake, context);
     context.progress(Stage::alignment, 0.1);
@@ -42,22 +103,23 @@ RegistrationResult register_scan(const DeformationModel& model, const TriMesh& r
         register_prepared(model, scan, prior, frame.landmarks, settings, context);
     if (const std::string note = describe(frame); !note.empty())
         result.verdict.notes.push_back(note);
-    if (intake.unit_to_mm > 0 || intake.units != UnitRule::detect || !result.verdict.searched ||
-        result.verdict.search_score >= settings.verdict.limits.doubtful_search)
-        return result;
-    // No face where a face was expected: perhaps one of another size, as in a body in centimetres.
+    if (frame.unit_guessed) doubt_unit(result.verdict);
+    const double least_score = settings.verdict.limits.doubtful_search;
+    const auto no_face = [&] {
+        return result.verdict.searched && result.verdict.search_score < least_score;
+    };
+    if (intake.unit_to_mm > 0 || intake.units != UnitRule::detect || !no_face()) return result;
     Context quiet = context;
     quiet.progress_function = nullptr;
     const double extent = robust_extent(scan.surface.vertices) / scan.unit_to_mm;
-    for (const LengthUnit& unit : plausible_units(extent)) {
-        if (unit.to_mm == scan.unit_to_mm) continue;
-        intake.unit_to_mm = unit.to_mm;
-        RegistrationResult other = register_prepared(model, prepare_scan(raw, intake, quiet), prior,
-                                                     landmarks, settings, quiet);
-        if (other.verdict.search_score >
-            result.verdict.search_score + settings.start.search.turned_by)
-            result = std::move(other);
-    }
+    try_other_units(model, raw, prior, landmarks, extent, intake, settings, result, quiet);
+    // What is as large as a head in millimetres is in millimetres, face or not.
+    if (!settings.guess.enabled || scan.unit_to_mm == 1 || !no_face()) return result;
+    intake.unit_to_mm = guess_unit_mm(model, raw, extent, intake, settings, quiet);
+    if (!(intake.unit_to_mm > 0)) return result;
+    result = register_prepared(model, prepare_scan(raw, intake, quiet), prior, landmarks, settings,
+                               quiet);
+    doubt_unit(result.verdict);
     return result;
 }
 

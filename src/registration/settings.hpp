@@ -16,6 +16,15 @@
 
 namespace mien {
 
+/// A scan whose size is a head's in no millimetres and in which no known unit shows a face: the
+/// unit in which a face is found best. [J]
+struct GuessSettings {
+    bool enabled = true;
+    double smallest_mm = 150, largest_mm = 800;  ///< mm, > 0: extents that are tried
+    double step = 1.2;                           ///< > 1: from one to the next
+    double sure = 0.65;                          ///< 0 to 1: search score below which none is taken
+};
+
 struct RegistrationSettings {
     IntakeSettings intake;
     LandmarkFrameSettings frame;
@@ -23,6 +32,7 @@ struct RegistrationSettings {
     ColorFeatureSettings colors;
     InnerSettings inner;
     StartSettings start;
+    GuessSettings guess;
     FitSettings fit;
     GapSettings gap;
     FoldSettings folds;

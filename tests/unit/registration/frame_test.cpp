@@ -55,6 +55,33 @@ TEST(LandmarkFrame, LandmarksInAnotherUnitThanTheScanAreBroughtToIt) {
     }
 }
 
+std::string reasons_of(const RegistrationResult& fit) {
+    std::string text;
+    for (const std::string& reason : fit.verdict.reasons) text += reason + "\n";
+    return text;
+}
+
+TEST(LandmarkFrame, AScanInNoUnitIsTakenToBeOfTheTemplatesSizeAndDoubted) {
+    const SmallFace face = small_face();
+    TriMesh scan = scan_of(face, Similarity());
+    auto landmarks = landmarks_of(face, Similarity());
+    scan.vertices /= 53;
+    for (LandmarkPoint& landmark : landmarks) landmark.point /= 53;
+    RegistrationResult fit = register_scan(face.model, scan, landmarks, {}, {});
+    EXPECT_NEAR(fit.verdict.unit_to_mm, 53, 4);
+    EXPECT_LT(
+        (fit.fitted.vertices * (53 / fit.verdict.unit_to_mm) - face.truth).rowwise().norm().mean(),
+        1.5);
+    EXPECT_EQ(fit.verdict.quality, FitQuality::doubtful);
+    EXPECT_NE(reasons_of(fit).find("no known unit"), std::string::npos) << reasons_of(fit);
+    // Named by the host, nothing is guessed.
+    RegistrationSettings settings;
+    settings.intake.unit_to_mm = 53;
+    fit = register_scan(face.model, scan, landmarks, settings, {});
+    EXPECT_EQ(fit.verdict.unit_to_mm, 53);
+    EXPECT_EQ(reasons_of(fit).find("no known unit"), std::string::npos) << reasons_of(fit);
+}
+
 TEST(LandmarkFrame, AUnitThatTheHostNamesIsTaken) {
     const SmallFace face = small_face();
     TriMesh scan = scan_of(face, Similarity());
@@ -185,6 +212,23 @@ TEST(AnyPose, UpsideDownAndFacingAwayAreFound) {
         const RegistrationResult fit = register_scan(face.model, scan_of(face, motion), {}, {}, {});
         EXPECT_LT((fit.motion.rotation - motion.rotation).norm(), 0.3);
         EXPECT_LT(fit.residual_mm.cwiseAbs().mean(), 0.3);
+    }
+}
+
+TEST(AnyPose, ATurnedScanEndsInTheSameFit) {
+    const SmallFace face = small_face();
+    const RegistrationResult upright =
+        register_scan(face.model, scan_of(face, Similarity()), {}, {}, {});
+    for (const Similarity& motion : {motion_of(90, Vector3(0, 0, 1), Vector3(10, 20, 30)),
+                                     motion_of(180, Vector3(0, 1, 0), Vector3(0, 0, 500)),
+                                     motion_of(137, Vector3(1, -2, 0.5), Vector3(0, 300, 0))}) {
+        const RegistrationResult fit = register_scan(face.model, scan_of(face, motion), {}, {}, {});
+        EXPECT_NEAR(fit.verdict.search_score, upright.verdict.search_score, 1e-6);
+        EXPECT_LT((fit.fitted.vertices - motion.apply(PointsRef(upright.fitted.vertices)))
+                      .rowwise()
+                      .norm()
+                      .maxCoeff(),
+                  0.05);
     }
 }
 
