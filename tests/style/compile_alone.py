@@ -4,9 +4,11 @@
   compile_alone.py PROJECT BUILD COMPILER [folder ...]
 
 BUILD is a configured (not necessarily built) folder of a preset that does not join files. Nothing is written;
-warnings count as errors. Folders default to src, abi and include.
+warnings count as errors. Folders default to src, abi and include. A header that some source includes before anything
+else is on its own there already, and not compiled once more.
 """
 import os
+import re
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
@@ -20,15 +22,26 @@ STRICT = ["-fsyntax-only", "-Wall", "-Wextra", "-Wshadow", "-Werror"]
 LEFT_OUT = {"gcc": ["-Wno-psabi", "-Wno-maybe-uninitialized"], "clang": ["-Wno-unknown-warning-option"]}
 
 
+def included_first(sources, folders):
+    """The headers that come first in a source: it would not compile if they needed anything before them."""
+    headers = set()
+    for path in sources:
+        found = re.search(r'^[ \t]*#[ \t]*include[ \t]+(["<])([^">]+)[">]', path.read_text(), re.M)
+        if found:
+            headers.update((folder / found.group(2)).resolve() for folder in [path.parent, *folders])
+    return headers
+
+
 def main():
     project, build, compiler = Path(sys.argv[1]).resolve(), sys.argv[2], sys.argv[3]
     folders = sys.argv[4:] or ["src", "abi", "include"]
     commands = Commands(project, build)
     extra = LEFT_OUT["clang" if "clang" in compiler else "gcc"]
     work = [(path, commands.flags[path], None) for path in commands.sources(*folders)]
+    covered = included_first([path for path, _, _ in work], [project / "src", project / "include"])
     for folder in folders:
         for header in sorted((project / folder).rglob("*.h*")):
-            if header.suffix in (".h", ".hpp"):
+            if header.suffix in (".h", ".hpp") and header.resolve() not in covered:
                 own = [f"-I{project / 'include'}", f"-I{header.parent}"]
                 work.append((header, commands.of_header(header) + own, f'#include "{header}"\n'))
 
