@@ -25,7 +25,7 @@ using Change = std::function<void(RegistrationSettings&)>;
 struct Ablation {
     const char* name;
     Change change;
-    enum Of { all, free_fits, trained_models } of = all;  // other fits it does not change
+    enum Of { all, free_fits, landmark_fits, trained_models } of = all;  // it changes these alone
 };
 
 const std::vector<Ablation>& ablations() {
@@ -47,10 +47,14 @@ const std::vector<Ablation>& ablations() {
         {"one noise level", [](S& s) { s.fit.loop.sigma_start_mm = s.fit.loop.sigma_end_mm; }},
         {"all vertices in all rounds", [](S& s) { s.fit.loop.sparse_share = 0; }},
         // Landmarks
-        {"landmarks as stated", [](S& s) { s.start.pin_prior.weigh = false; }},
-        {"no landmark rejected", [](S& s) { s.start.pin_prior.limit = 1e30; }},
-        {"plain first alignment", [](S& s) { s.start.alignment.fewest_for_trials = 1000; }},
-        {"no first shape from landmarks", [](S& s) { s.start.pin_fit.rounds = 0; }},
+        {"landmarks as stated", [](S& s) { s.start.pin_prior.weigh = false; },
+         Ablation::landmark_fits},
+        {"no landmark rejected", [](S& s) { s.start.pin_prior.limit = 1e30; },
+         Ablation::landmark_fits},
+        {"plain first alignment", [](S& s) { s.start.alignment.fewest_for_trials = 1000; },
+         Ablation::landmark_fits},
+        {"no first shape from landmarks", [](S& s) { s.start.pin_fit.rounds = 0; },
+         Ablation::landmark_fits},
         // Prior
         {"motion never scales", [](S& s) { s.prior.estimate_scale = 0; }},
         {"motion always scales", [](S& s) { s.prior.estimate_scale = 1; },
@@ -100,8 +104,11 @@ void print_row(const char* name, const std::vector<Errors>& found,
         flipped += found[k].flipped - base[k].flipped;
     }
     const double error = n > 1 ? std::sqrt(std::max(0.0, square - face * face) / (n - 1)) : 0;
-    std::printf("| %s | %+.3f | %.3f | %+.3f | %d of %zu | %+.3f | %+.3f | %+.3f | %+d |\n", name,
+    std::printf("| %s | %+.3f | %.3f | %+.3f | %d of %zu | %+.3f | %+.3f | %+.3f | %+d |", name,
                 face, error, worst, worse, found.size(), face95, all, surface, flipped);
+    for (std::size_t k = 0; k < found.size(); ++k)
+        std::printf(" %+.3f", found[k].face_mm - base[k].face_mm);
+    std::printf(" |\n");
     std::fflush(stdout);
 }
 
@@ -114,7 +121,7 @@ void print_defaults(const std::vector<Case>& cases, const std::vector<Errors>& b
                     base[k].flipped);
     std::printf(
         "\n| switched off | face, mean | +- | worst | worse | p95 | all vertices | surface | "
-        "flipped |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|\n");
+        "flipped | face, each scan |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|---|\n");
 }
 
 void run(const DeformationModel& model, const std::vector<Case>& cases, bool free,
@@ -126,6 +133,7 @@ void run(const DeformationModel& model, const std::vector<Case>& cases, bool fre
             std::find(only.begin(), only.end(), ablation.name) == only.end())
             continue;
         if (ablation.of == Ablation::free_fits && !free) continue;
+        if (ablation.of == Ablation::landmark_fits && free) continue;
         if (ablation.of == Ablation::trained_models && model.pca_modes.cols == 0) continue;
         RegistrationSettings settings;
         ablation.change(settings);
