@@ -24,7 +24,7 @@ struct ApproachSettings {
 /// Jaws tried after it. [A] as a whole.
 struct OpeningSettings {
     bool enabled = true;
-    /// deg: an opening of zero starts again without the approach's own idea of the mouth.
+    /// deg: an opening of zero starts again without the approach's own idea of the mouth. [J]
     std::array<double, 4> openings_deg{0, 10, 20, 30};
     double amplitude = 2;      ///< > 0: of the kernel, as a jaw moves by centimetres [J]
     double clearly = 0.01;     ///< >= 0: by how much an opening must agree better [J]

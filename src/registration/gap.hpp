@@ -23,12 +23,12 @@ struct GapSettings {
     double reach = 4;          ///< > 0, robust scales: farther hits are not looked for [J]
     double max_step_mm = 3;    ///< mm, > 0: cap of the field in one round [J]
     int rounds = 6;            ///< >= 1: closest points are found anew in each [T] "An injection"
-    int most_iterations = 80;  ///< >= 1: of conjugate gradients; tens are enough
-    double tolerance = 1e-8;   ///< > 0: of the squared residual
+    int most_iterations = 80;  ///< >= 1: of conjugate gradients; tens are enough [J]
+    double tolerance = 1e-8;   ///< > 0: of the squared residual [J]
     // Turns that the field makes
     bool undo_turns = true;    ///< [A]
     double turn_cosine = 0.5;  ///< a triangle turned farther (60 degrees) goes back [J]
-    double turn_ramp = 0.1;    ///< > 0, cosine: to both sides of it, where it goes back by a share
+    double turn_ramp = 0.1;    ///< > 0, cosine: to both sides, where it goes back by a share [J]
     int undo_rounds = 6;       ///< >= 1 [J]
 };
 

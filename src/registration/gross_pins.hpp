@@ -9,8 +9,8 @@
 
 namespace mien {
 
-/// By judgement; neighbours across the lips of a wide open mouth differ by 40 mm, but each lip's
-/// own move alike.
+/// [J]; tags in brackets: registration/settings.hpp. Neighbours across the lips of a wide open
+/// mouth differ by 40 mm, but each lip's own move alike.
 struct GrossPinSettings {
     bool enabled = true;
     std::size_t fewest = 6;      ///< >= 4: fewer pins say nothing of each other

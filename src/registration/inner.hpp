@@ -30,7 +30,7 @@ struct InnerSettings {
     int rays = 16;          ///< >= 1: about the normal, as many as their cosine weighs [J]
     int open_rays = 4;      ///< 0 to rays: so many that lead out make a vertex open skin [J]
     double sight_mm = 60;   ///< mm, > 0: length of a ray [J]
-    double lift_mm = 0.05;  ///< mm, > 0: a ray begins so far above the surface
+    double lift_mm = 0.05;  ///< mm, > 0: a ray begins so far above the surface [J]
     // Carried
     double reach_mm = 15;  ///< mm, > 0: farther skin does not take part [J]
     double spread_mm = 6;  ///< mm, > 0: s [J]

@@ -21,7 +21,8 @@ enum class SideRule : std::int32_t {
     ignore = 2,
 };
 
-/// By judgement: right sets align to 2 to 6 mm, exchanged ones to 15 mm and more.
+/// [J]; tags in brackets: registration/settings.hpp. Right sets align to 2 to 6 mm, exchanged ones
+/// to 15 mm and more.
 struct SideSettings {
     SideRule rule = SideRule::refuse;
     double partner_mm = 12;  ///< mm, > 0: of the mirror image to the partner, at most

@@ -21,7 +21,7 @@ namespace mien {
 
 /// Tags in brackets: registration/settings.hpp.
 struct PinPriorSettings {
-    std::size_t most = 300;  ///< more pins are taken as they are: dense algebra in 3 x their number
+    std::size_t most = 300;  ///< more are taken as they are: the algebra is dense [J]
     // Contradicted pins
     std::size_t fewest_to_reject = 5;  ///< >= 5 [J]
     double limit = 40;  ///< > 0: chi-squared with 3 degrees, with room for an imperfect prior [J]
@@ -33,7 +33,7 @@ struct PinPriorSettings {
     std::size_t fewest_to_weigh = 10;    ///< [J]
     int amplitude_octaves = 3;           ///< 1/8 to 8 times; not with trained modes, which know how
                                          ///< far faces differ [J]
-    int amplitude_steps = 8;             ///< per octave
+    int amplitude_steps = 8;             ///< per octave [J]
     int noise_low = -8, noise_high = 2;  ///< quarter octaves: 1/4 to 1.4 times the stated error [J]
 };
 

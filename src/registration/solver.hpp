@@ -36,7 +36,7 @@ struct SolverSettings {
     float mend_from = 1e-4f, mend_to = 2;
     double least_variance = 1e-4;  ///< > 0: floor of a mode's prior variance [J]
     double single_precision =
-        1e-10;  ///< of the whole right-hand side: residuals below are rounding
+        1e-10;  ///< of the whole right-hand side: residuals below are rounding [J]
 };
 
 struct FitStepOptions {
