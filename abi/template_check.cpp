@@ -4,6 +4,7 @@
 #include "guard.hpp"
 #include "landmarks.hpp"
 #include "mesh.hpp"
+#include "options.hpp"
 #include "session.hpp"
 
 using namespace mien;
@@ -18,10 +19,8 @@ mien_status MIEN_CALL mien_template_check(mien_session* session, const mien_mesh
     return guarded(error, [&] {
         const TriMesh& mesh = *checked(template_mesh, "template_mesh").mesh;
         const Call call(session);
-        if (mirror != 0 && mirror != 1)
-            fail(Status::unsupported_option, "mirror is %d, allowed are 0 and 1", mirror);
         TemplateCheckOptions options;
-        options.mirror = mirror == 1;
+        options.mirror = read_switch(mirror, "mirror");
         if (landmarks != nullptr)
             for (const Mark& mark : checked(landmarks, "landmarks").file.marks) {
                 if (mark.where == Mark::Where::place)

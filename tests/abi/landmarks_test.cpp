@@ -86,6 +86,31 @@ TEST(Landmarks, NoKnownNameIsNotFoundWithExamples) {
     EXPECT_THROW(mien::Registration(session, model, sheet(session), options), mien::Exception);
 }
 
+TEST(RegisterOptions, AnUnknownChoiceIsUnsupportedAndANumberOutOfRangeInvalid) {
+    const mien::Session session;
+    const mien::Model model = small_model(session);
+    const mien::Mesh scan = sheet(session);
+    const auto status = [&](std::int32_t mien_register_options::*member, std::int32_t value) {
+        mien_register_options options;
+        mien_register_options_init(&options, sizeof options);
+        options.*member = value;
+        mien_registration* made = nullptr;
+        const mien_status got =
+            mien_register(session.get(), model.get(), scan.get(), &options, &made, nullptr);
+        mien_registration_release(made);
+        return got;
+    };
+    for (const auto member :
+         {&mien_register_options::growth, &mien_register_options::start,
+          &mien_register_options::units, &mien_register_options::skin_weights,
+          &mien_register_options::close_gap, &mien_register_options::reject_border,
+          &mien_register_options::color_features, &mien_register_options::landmark_sides})
+        for (const std::int32_t value : {-1, 4})
+            EXPECT_EQ(status(member, value), MIEN_E_UNSUPPORTED_OPTION) << value;
+    for (const std::int32_t value : {-1, 10001})
+        EXPECT_EQ(status(&mien_register_options::iterations, value), MIEN_E_INVALID_ARGUMENT);
+}
+
 TEST(Landmarks, IndicesAndNullsAreRefused) {
     const Session session;
     const mien_scan_landmark marks[] = {{"a", {1, 2, 3}}, {"a", {4, 5, 6}}};

@@ -44,6 +44,15 @@ TEST(Topology, TheBorderOfAGridRunsOnceAroundWithTheSurfaceOnItsLeft) {
     const auto on_border = border_vertices(table, 16);
     EXPECT_EQ(std::accumulate(on_border.begin(), on_border.end(), 0), 12);
     EXPECT_EQ(on_border[5], 0);
+    EXPECT_EQ(border_vertices(mesh.triangles, 16, Context()), on_border);
+}
+
+TEST(Topology, ASideFromAVertexToItselfIsNoBorder) {
+    TriMesh closed = tetrahedron();
+    closed.triangles.conservativeResize(closed.triangles.rows() + 1, 3);
+    closed.triangles.bottomRows(1).setConstant(2);
+    const std::vector<std::uint8_t> nowhere(4, 0);
+    EXPECT_EQ(border_vertices(closed.triangles, 4, Context()), nowhere);
 }
 
 TEST(Topology, AHoleIsALoopOfItsOwn) {

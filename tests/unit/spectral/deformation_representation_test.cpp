@@ -4,8 +4,10 @@
 
 #include <Eigen/Geometry>
 #include <filesystem>
+#include <limits>
 #include <nlohmann/json.hpp>
 
+#include "base/error.hpp"
 #include "base/safetensors.hpp"
 #include "geometry/alignment.hpp"
 #include "mesh/mesh_file.hpp"
@@ -45,6 +47,17 @@ TEST(PolarDecomposition, IsExactForAnyMatrix) {
         EXPECT_NEAR(rotation.determinant(), 1.0, 1e-12);
         EXPECT_LT((rotation * stretch - t).norm(), 1e-12);
         EXPECT_LT((stretch - stretch.transpose()).norm(), 1e-14);
+    }
+}
+
+TEST(PolarDecomposition, RefusesWhatIsNotFinite) {
+    Matrix3 rotation, stretch, t = Matrix3::Identity();
+    t(1, 2) = std::numeric_limits<double>::quiet_NaN();
+    try {
+        polar_decomposition(t, rotation, stretch);
+        FAIL() << "a matrix with NaN was decomposed";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.status(), Status::no_solution);
     }
 }
 
