@@ -84,6 +84,23 @@ Person DemoFaces::person(std::uint64_t seed, int subject) const {
     return person;
 }
 
+Person DemoFaces::nonlinear_person(std::uint64_t seed, int subject) const {
+    Person made = person(seed, subject);
+    // Twelve directions, the others are still: with the places they make 48 numbers.
+    for (std::size_t k = 12; k < made.weights.size(); ++k) made.weights[k] = 0;
+    Random random(seed, 1000003u * static_cast<std::uint64_t>(subject) + 29);
+    for (int k = 0; k < kNumPlaces; ++k) made.places.push_back(clamp(random.normal(), -2.5, 2.5));
+    made.detail_mm = 0.08;
+    made.strength_noise = 0.03;
+    return made;
+}
+
+Person DemoFaces::without_chance(Person person) {
+    person.detail_mm = 0;
+    person.strength_noise = 0;
+    return person;
+}
+
 std::vector<double> DemoFaces::face(const Person& person, int expression) const {
     const int known = static_cast<int>(expression_names().size());
     if (expression < 0 || expression >= known) return {};

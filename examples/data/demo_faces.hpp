@@ -32,6 +32,11 @@ struct Person {
     std::vector<double> weights;  ///< one per identity direction, unit variance, within +-2.5
     double liveliness = 1;        ///< scales every expression
     double detail_mm = 0.25;      ///< soft shape that no identity direction explains
+    /// Of a person of nonlinear_person(): what moves the features about. Empty: the linear family.
+    std::vector<double> places;
+    /// Standard deviation of what an expression's strength has beyond its function of the person
+    /// (of nonlinear_person(); 1 would be the whole strength).
+    double strength_noise = 0;
 };
 
 struct ScanOptions {
@@ -80,6 +85,15 @@ class DemoFaces {
     const std::vector<double>& identity_direction(int k) const;
 
     Person person(std::uint64_t seed, int subject) const;
+    /// A person of another family, in which shapes are no sums of fixed directions: twelve soft
+    /// features (ridges, hollows, bulges) sit at places, in heights and widths of the person's own,
+    /// the identity directions end softly at two deviations, and strength, asymmetry and pulls of
+    /// an expression are smooth functions of the person. 48 numbers make the neutral face but for
+    /// its detail; as a span of directions the family has several times as many.
+    Person nonlinear_person(std::uint64_t seed, int subject) const;
+    /// The same person without chance: no detail, expressions as the function of the person says.
+    /// The difference to the person is what no predictor can know.
+    static Person without_chance(Person person);
     /// Vertices, 3 #V. The expression 0 is neutral.
     std::vector<double> face(const Person& person, int expression) const;
     /// All expressions of one person, in the order of expression_names(); cheaper than one by one.

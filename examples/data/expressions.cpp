@@ -81,7 +81,32 @@ struct Strengths {
     double left[kUnits] = {}, right[kUnits] = {};
 };
 
+/// Of the non-linear family: strength, asymmetry and the pulls that join in are smooth functions of
+/// who the person is; chance of a stated size is all that is left.
+Strengths strengths_of_identity(const Person& person, int expression) {
+    Random random(person.seed, 1000003u * static_cast<std::uint64_t>(person.subject) + 5000 +
+                                   static_cast<std::uint64_t>(expression));
+    const auto of = [&](std::size_t k) { return person.places[k % person.places.size()]; };
+    const double phase = 0.7 * expression;
+    Strengths s;
+    std::size_t unit_number = 0;
+    for (const auto& [unit, weight] : recipes()[static_cast<std::size_t>(expression)].units) {
+        const std::size_t k = 3 * static_cast<std::size_t>(unit);
+        const double gain = 1 + 0.22 * sin_of(1.3 * of(k) + phase) +
+                            0.12 * sin_of(of(k + 1) * of(k + 4)) +
+                            person.strength_noise * random.normal();
+        const double lopsided =
+            unit < kPaired ? 0.15 * sin_of(1.1 * of(k + 2) + 0.5 * of(k + 7)) : 0;
+        // The second pull of a recipe is strong in some people and nearly missing in others.
+        const double share = unit_number++ == 0 ? 1 : 0.65 + 0.35 * sin_of(of(k + 5) + phase);
+        s.left[unit] += weight * share * clamp(gain * (1 + lopsided), 0.4, 1.35);
+        s.right[unit] += weight * share * clamp(gain * (1 - lopsided), 0.4, 1.35);
+    }
+    return s;
+}
+
 Strengths strengths_of(const Person& person, int expression) {
+    if (!person.places.empty()) return strengths_of_identity(person, expression);
     Random random(person.seed, 1000003u * static_cast<std::uint64_t>(person.subject) + 1000 +
                                    static_cast<std::uint64_t>(expression));
     Strengths s;

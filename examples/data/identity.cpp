@@ -2,6 +2,7 @@
 // standard deviation, a few of them asymmetric.
 #include <cmath>
 #include <functional>
+#include <iterator>
 
 #include "people.hpp"
 
@@ -241,12 +242,61 @@ IdentityBasis make_identity_basis(const Anatomy& anatomy) {
     return basis;
 }
 
+namespace {
+
+/// x within +-2, nearly as it is within +-1.
+double soft_limit(double x) {
+    const double e = exp_of(-std::fabs(x));  // tanh(x / 2) = (1 - e^-x) / (1 + e^-x)
+    return (x < 0 ? -2 : 2) * (1 - e) / (1 + e);
+}
+
+struct Feature {
+    V3 centre, radius;  ///< of template positions, x >= 0: it stands on both sides
+    double reach_mm;    ///< how far its place moves at one deviation
+    double height_mm;   ///< at one deviation
+};
+
+// Ridges, hollows and bulges where faces have them.
+const Feature kFeatures[kNumPlaces / 3] = {
+    {{0, 22, 96}, {9, 11, 30}, 4.0, 1.8},    {{16, 44, 88}, {14, 8, 30}, 5.0, 1.6},
+    {{42, 52, 70}, {15, 14, 34}, 6.0, 1.8},  {{46, 10, 66}, {14, 11, 34}, 5.5, 2.0},
+    {{34, -4, 78}, {12, 11, 30}, 5.0, 1.8},  {{24, -30, 84}, {10, 12, 30}, 4.5, 1.6},
+    {{0, -76, 84}, {12, 9, 30}, 5.0, 2.0},   {{18, -78, 76}, {12, 9, 32}, 5.0, 1.6},
+    {{46, -46, 52}, {16, 14, 36}, 6.5, 2.0}, {{62, -20, 30}, {16, 16, 36}, 6.5, 1.8},
+    {{0, 80, 84}, {22, 15, 36}, 8.0, 1.8},   {{34, 84, 70}, {20, 15, 38}, 7.0, 1.6}};
+
+/// A feature does not grow where it is: it wanders, and its height goes up and down with where it
+/// has gone. In a span of fixed directions one wandering feature takes many.
+void add_features(const Anatomy& anatomy, const Person& person, std::vector<V3>& shape) {
+    const std::size_t count = person.places.size() / 3;
+    for (std::size_t f = 0; f < count && f < std::size(kFeatures); ++f) {
+        const Feature& feature = kFeatures[f];
+        const double across = soft_limit(person.places[3 * f]),
+                     along = soft_limit(person.places[3 * f + 1]), size = person.places[3 * f + 2];
+        V3 centre = feature.centre;
+        if (centre.x > 0) centre.x += feature.reach_mm * across;
+        centre.y += feature.reach_mm * along;
+        const V3 radius = (1 + 0.2 * sin_of(1.5 * size + across)) * feature.radius;
+        const double height = feature.height_mm * (1.2 * sin_of(1.1 * size) + 0.6 * across * along);
+        for (int v = 0; v < anatomy.count(); ++v) {
+            const V3 p = anatomy.rest[v], q{std::fabs(p.x), p.y, p.z};
+            shape[v] += height * soft(q, centre, radius) * anatomy.normals[v];
+        }
+    }
+}
+
+}  // namespace
+
 std::vector<V3> neutral_shape(const Anatomy& anatomy, const IdentityBasis& basis,
                               const Person& person) {
     std::vector<V3> shape = anatomy.rest;
-    for (std::size_t k = 0; k < basis.directions.size() && k < person.weights.size(); ++k)
-        for (std::size_t v = 0; v < shape.size(); ++v)
-            shape[v] += person.weights[k] * basis.directions[k][v];
+    const bool nonlinear = !person.places.empty();
+    for (std::size_t k = 0; k < basis.directions.size() && k < person.weights.size(); ++k) {
+        const double weight = nonlinear ? soft_limit(person.weights[k]) : person.weights[k];
+        if (weight == 0) continue;
+        for (std::size_t v = 0; v < shape.size(); ++v) shape[v] += weight * basis.directions[k][v];
+    }
+    if (nonlinear) add_features(anatomy, person, shape);
     // Detail that is nobody else's, faded out where skin is thin (lids, lips).
     if (person.detail_mm > 0) {
         Random random(person.seed, 1000003u * static_cast<std::uint64_t>(person.subject) + 17);

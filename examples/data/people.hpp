@@ -26,6 +26,9 @@ struct IdentityBasis {
 };
 IdentityBasis make_identity_basis(const Anatomy& anatomy);
 
+/// Numbers of Person::places: three for each of twelve features.
+constexpr int kNumPlaces = 36;
+
 /// The person without expression, over Anatomy::rest.
 std::vector<V3> neutral_shape(const Anatomy& anatomy, const IdentityBasis& basis,
                               const Person& person);

@@ -228,6 +228,69 @@ TEST(DemoPeople, IdentityDirectionsAreManyAndIndependent) {
     }
 }
 
+/// Share of ten people's shapes that lies outside of what ninety others of their family span.
+double share_outside(bool nonlinear) {
+    const auto& rest = faces().template_mesh().vertices;
+    const auto shape = [&](int subject) {
+        const Person person =
+            nonlinear ? faces().nonlinear_person(11, subject) : faces().person(11, subject);
+        std::vector<double> d = faces().face(DemoFaces::without_chance(person), 0);
+        for (std::size_t i = 0; i < d.size(); ++i) d[i] -= rest[i];
+        return d;
+    };
+    const auto length = [](const std::vector<double>& d) {
+        double sum = 0;
+        for (const double v : d) sum += v * v;
+        return std::sqrt(sum);
+    };
+    std::vector<std::vector<double>> kept;
+    double outside = 0, whole = 0;
+    for (int subject = 0; subject < 100; ++subject) {  // Gram-Schmidt
+        std::vector<double> d = shape(subject);
+        const double size = length(d);
+        for (const auto& basis : kept) {
+            double along = 0;
+            for (std::size_t i = 0; i < d.size(); ++i) along += d[i] * basis[i];
+            for (std::size_t i = 0; i < d.size(); ++i) d[i] -= along * basis[i];
+        }
+        const double left = length(d);
+        if (subject >= 90) {
+            outside += left;
+            whole += size;
+        } else if (left > 1e-6 * size) {
+            for (double& v : d) v /= left;
+            kept.push_back(std::move(d));
+        }
+    }
+    return outside / whole;
+}
+
+TEST(DemoPeople, ThoseOfTheNonlinearFamilyAreNoSumsOfFixedDirections) {
+    EXPECT_LT(share_outside(false), 1e-6);
+    EXPECT_GT(share_outside(true), 0.02);
+}
+
+TEST(DemoExpressions, OfTheNonlinearFamilyAreFunctionsOfThePersonButForStatedChance) {
+    const int grin = DemoFaces::expression_index("grin");
+    const Person one = faces().nonlinear_person(3, 5);
+    EXPECT_EQ(faces().nonlinear_person(3, 5).places, one.places);
+    EXPECT_NE(faces().nonlinear_person(3, 6).places, one.places);
+    // Who has the same numbers and no chance has the same face, whatever the subject's number.
+    Person twin = DemoFaces::without_chance(one), other = twin;
+    other.subject = 77;
+    EXPECT_EQ(faces().face(twin, grin), faces().face(other, grin));
+    const auto neutral = faces().face(twin, 0), sure = faces().face(twin, grin);
+    twin.strength_noise = one.strength_noise;
+    const auto chance = faces().face(twin, grin);
+    double moved = 0, noise = 0;
+    for (std::size_t i = 0; i < neutral.size(); ++i) {
+        moved += std::fabs(sure[i] - neutral[i]);
+        noise += std::fabs(chance[i] - sure[i]);
+    }
+    EXPECT_GT(noise, 0);
+    EXPECT_LT(noise, 0.1 * moved);
+}
+
 TEST(DemoExpressions, MoveWhatTheyShouldAndLeaveTheRest) {
     const Person person = average();
     const auto neutral = face(person, "neutral");
