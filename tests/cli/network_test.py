@@ -1,0 +1,158 @@
+"""mien network on a network whose numbers are known, written by hand as the format says.
+
+  network_test.py MIEN WORK_FOLDER
+"""
+import json
+import math
+import shutil
+import struct
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+MIEN, WORK = sys.argv[1], Path(sys.argv[2])
+SIDE = 11
+
+
+def run(*arguments):
+    return subprocess.run([MIEN, *map(str, arguments)], capture_output=True, text=True)
+
+
+def must(*arguments):
+    done = run(*arguments)
+    if done.returncode or done.stderr:
+        raise AssertionError(f"{arguments}: exit {done.returncode}: {done.stderr}")
+    return done.stdout
+
+
+def sheet(height):
+    return [(6.0 * x - 30, 6.0 * y - 30, height * math.sin(0.4 * x) * math.cos(0.3 * y))
+            for y in range(SIDE) for x in range(SIDE)]
+
+
+def cells():
+    triangles = []
+    for y in range(SIDE - 1):
+        for x in range(SIDE - 1):
+            a = y * SIDE + x
+            triangles += [(a, a + 1, a + SIDE + 1), (a, a + SIDE + 1, a + SIDE)]
+    return triangles
+
+
+def write_tensors(path, metadata, tensors):
+    """tensors: name -> (dtype, shape, struct code, flat values), 8-byte values first."""
+    header, body = {"__metadata__": metadata}, b""
+    for name, (kind, shape, code, values) in tensors.items():
+        data = struct.pack(f"<{len(values)}{code}", *values)
+        header[name] = {"dtype": kind, "shape": shape, "data_offsets": [len(body), len(body) + len(data)]}
+        body += data
+    text = json.dumps(header).encode()
+    text += b" " * (-len(text) % 8)
+    path.write_bytes(struct.pack("<Q", len(text)) + text + body)
+    return path
+
+
+def flat(rows):
+    return [x for row in rows for x in row]
+
+
+def write_network(path, name, code):
+    """Linear over `code` cosines of the vertex number, orthonormal: what lies in their span comes back."""
+    mean = sheet(10)
+    n = 3 * len(mean)
+    centred = [(x, y, z - 0.5 * (min(p[2] for p in mean) + max(p[2] for p in mean))) for x, y, z in mean]
+    scale = max(abs(x) for x in flat(centred))
+    basis = [[math.sqrt(2 / n) * math.cos(math.pi * (k + 1) * (i + 0.5) / n) for i in range(n)] for k in range(code)]
+    middle = [x / scale for x in flat(centred)]
+    to_code = [[basis[k][i] for k in range(code)] for i in range(n)]
+    def layer(rows_in, channels_in, rows_out, channels_out, weight, bias):
+        return {"kind": "dense", "rows_in": rows_in, "channels_in": channels_in, "rows_out": rows_out,
+                "channels_out": channels_out, "elu": False, "tensors": {"weight": weight, "bias": bias}}
+    layers = {"encoder": [layer(n // 3, 3, 1, code, "down", "code_bias")],
+              "decoder": [layer(1, code, n // 3, 3, "up", "face_bias")]}
+    statistics = {f"input.{key}": ("F64", [n // 3, 3], "d", middle) for key in ("mean", "deviation", "least", "greatest")}
+    return write_tensors(path, {"kind": "mien-network", "format": "1.0", "units": "millimetres", "name": name,
+                                "input.features": "euclidean", "layers": json.dumps(layers)},
+                         {"input.mean_shape": ("F64", [n // 3, 3], "d", flat(centred)),
+                          "input.scale_mm": ("F64", [1], "d", [scale]), **statistics,
+                          "input.triangles": ("U32", [len(cells()), 3], "I", flat(cells())),
+                          "down": ("F32", [n, code], "f", flat(to_code)),
+                          "up": ("F32", [code, n], "f", flat(basis)),
+                          "code_bias": ("F32", [code], "f", [-sum(b * m for b, m in zip(row, middle)) for row in basis]),
+                          "face_bias": ("F32", [n], "f", middle)})
+
+
+def write_obj(path, vertices):
+    path.write_text("".join(f"v {x!r} {y!r} {z!r}\n" for x, y, z in vertices) +
+                    "".join(f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in cells()))
+    return path
+
+
+def read_obj(path):
+    return [tuple(map(float, line.split()[1:4])) for line in path.read_text().splitlines() if line.startswith("v ")]
+
+
+def apart(a, b):
+    return max(abs(x - y) for p, q in zip(a, b) for x, y in zip(p, q))
+
+
+class Network(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        shutil.rmtree(WORK, ignore_errors=True)
+        WORK.mkdir(parents=True)
+        cls.network = write_network(WORK / "small.safetensors", "small", 8)
+        cls.face = write_obj(WORK / "face.obj", [(y + 200, -x, z + 5) for x, y, z in sheet(14)])
+
+    def test_info_tells_layers_and_costs(self):
+        out = must("network", "info", "--network", self.network, "--json", WORK / "info.json")
+        self.assertIn("small: 121 vertices, codes of 8 numbers", out)
+        info = json.loads((WORK / "info.json").read_text())
+        self.assertEqual(info["encoder_multiply_adds"], 363 * 8)
+        self.assertEqual(info["weights"], 2 * 363 * 8 + 363 + 8)
+
+    def test_encode_and_decode_are_apply_where_the_face_stands(self):
+        must("network", "encode", "--network", self.network, "--in", self.face, "--out", WORK / "code.json")
+        must("network", "decode", "--network", self.network, "--code", WORK / "code.json", "--out", WORK / "back.obj")
+        must("network", "apply", "--network", self.network, "--in", self.face, "--out", WORK / "applied.obj")
+        self.assertLess(apart(read_obj(WORK / "back.obj"), read_obj(WORK / "applied.obj")), 1e-5)
+        self.assertLess(apart(read_obj(WORK / "back.obj"), read_obj(self.face)), 10)
+        code = json.loads((WORK / "code.json").read_text())
+        self.assertEqual(len(code["code"]), 8)
+        # Without the motion the face stands where the training's mean stands.
+        (WORK / "bare.json").write_text(json.dumps({"code": code["code"]}))
+        must("network", "decode", "--network", self.network, "--code", WORK / "bare.json", "--out", WORK / "bare.obj")
+        self.assertGreater(apart(read_obj(WORK / "bare.obj"), read_obj(self.face)), 100)
+
+    def test_compare_says_when_the_linear_model_wins(self):
+        faces = [sheet(9.0 + k) for k in range(4)]
+        data = write_tensors(WORK / "faces.safetensors",
+                             {"expression_names": json.dumps(["neutral"]), "units": "millimetres"},
+                             {"vertices": ("F32", [4, SIDE * SIDE, 3], "f", [x for f in faces for x in flat(f)]),
+                              "triangles": ("U32", [len(cells()), 3], "I", flat(cells())),
+                              "subject": ("I32", [4], "i", [0, 1, 2, 3]), "expression": ("I32", [4], "i", [0] * 4)})
+        pca = write_network(WORK / "pca.safetensors", "pca", 3 * SIDE * SIDE)  # gives everything back
+        (WORK / "split.json").write_text('{"training": [0, 1], "validation": [], "test": [2, 3]}')
+        out = must("network", "compare", "--networks", self.network, pca, "--data", data, "--subjects",
+                   WORK / "split.json", "--picture", WORK / "compare.png", "--json", WORK / "compare.json")
+        self.assertIn("no network beats the linear model", out)
+        rows = json.loads((WORK / "compare.json").read_text())["networks"]
+        self.assertEqual([row["faces"] for row in rows], [2, 2])
+        self.assertLess(rows[1]["l1_mm"], rows[0]["l1_mm"])
+        self.assertTrue(rows[1]["on_front"])
+        self.assertTrue((WORK / "compare.png").read_bytes().startswith(b"\x89PNG"))
+
+    def test_wrong_files_are_one_line(self):
+        for text in ('{"code": [1, 2]}', '{"code": "x"}', '[]', '{"code": [1,2,3,4,5,6,7,8], "motion": [1]}'):
+            (WORK / "bad.json").write_text(text)
+            done = run("network", "decode", "--network", self.network, "--code", WORK / "bad.json", "--out", WORK / "x.obj")
+            self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
+        done = run("network", "info", "--network", self.face)
+        self.assertEqual(done.returncode, 1)
+        self.assertFalse((WORK / "x.obj").exists())
+
+
+if __name__ == "__main__":
+    sys.argv = sys.argv[:1]
+    unittest.main()
