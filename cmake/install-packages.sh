@@ -1,5 +1,5 @@
 #!/bin/sh
-# Installs the Debian packages that are missing: sh cmake/install-packages.sh build|test ...
+# Installs the Debian packages that are missing: sh cmake/install-packages.sh build|test|training ...
 # Needs root or sudo only when something is missing.
 set -eu
 
@@ -8,12 +8,14 @@ build="g++ cmake ninja-build ccache pkg-config libeigen3-dev libopenmesh-dev lib
 test="libgtest-dev libbenchmark-dev python3 python3-numpy python3-scipy clang clang-format clang-tidy git
       abigail-tools
       mono-mcs mono-runtime openjdk-17-jdk-headless"
+training="libtorch-dev libopenblas0-pthread"
 
 wanted=""
 for group in "$@"; do
     case "$group" in
         build) wanted="$wanted $build" ;;
         test) wanted="$wanted $test" ;;
+        training) wanted="$wanted $training" ;;
         *) echo "install-packages.sh: unknown group '$group'" >&2; exit 2 ;;
     esac
 done

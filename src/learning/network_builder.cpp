@@ -64,8 +64,9 @@ class NetworkBuilder {
                       });
     }
     /// Uniform in +-sqrt(6 / (fan in + fan out)) (Glorot and Bengio 2010).
-    std::string xavier(const std::string& name, Index rows, Index columns, Index fan_in) {
-        const double bound = std::sqrt(6.0 / static_cast<double>(fan_in + columns));
+    std::string xavier(const std::string& name, Index rows, Index columns, Index fan_in,
+                       double gain = 1) {
+        const double bound = gain * std::sqrt(6.0 / static_cast<double>(fan_in + columns));
         return random(name, {u(rows), u(columns)},
                       [bound](const CounterRandom& chance, std::size_t k) {
                           return bound * (2 * chance.uniform(k) - 1);
@@ -223,7 +224,11 @@ NetworkLayer NetworkBuilder::local(const std::string& name, std::size_t level,
         layer.kind = LayerKind::steered;
         layer.tensors["steer"] = normal(name + ".steer", {u(in), u(m)}, 0.1);
         layer.tensors["offset"] = constant(name + ".offset", {u(m)}, 0);
-        layer.tensors["weight"] = xavier(name + ".weight", m * in, out, in);
+        // The output is the mean over the M matrices, which at first are as good as unrelated:
+        // their variance is M times a single matrix', or every layer would shrink its signal by
+        // sqrt(M).
+        layer.tensors["weight"] =
+            xavier(name + ".weight", m * in, out, in, std::sqrt(static_cast<double>(m)));
         return layer;
     }
     layer.tensors["weight"] = xavier(name + ".weight", k * in, out, k * in);

@@ -41,6 +41,8 @@ def main():
     covered = included_first([path for path, _, _ in work], [project / "src", project / "include"])
     for folder in folders:
         for header in sorted((project / folder).rglob("*.h*")):
+            if "training" in header.parts and not any("training" in p.parts for p in commands.flags):
+                continue  # the optional trainer is not configured here
             if header.suffix in (".h", ".hpp") and header.resolve() not in covered:
                 own = [f"-I{project / 'include'}", f"-I{header.parent}"]
                 work.append((header, commands.of_header(header) + own, f'#include "{header}"\n'))
