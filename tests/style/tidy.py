@@ -27,7 +27,7 @@ def main():
 
     def tidy(path):
         return path, subprocess.run(["clang-tidy", "--quiet", "--warnings-as-errors=*", str(path), "--",
-                                     *commands.flags[path]], capture_output=True, text=True)
+                                     "-fsized-deallocation", *commands.flags[path]], capture_output=True, text=True)
 
     failures = 0
     with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
