@@ -68,7 +68,7 @@ TurnedFit fit_turned(const DeformationModel& model, const Case& one, const Matri
     const RegistrationResult fit = register_scan(model, moved.scan, {}, {}, context);
     TurnedFit result;
     result.seconds = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
-    result.face_mm = errors_of(model, moved, fit).face_mm;
+    result.face_mm = errors_of(model, {}, moved, fit).face_mm;
     result.score = fit.verdict.search_score;
     result.quality = fit.verdict.quality;
     result.places = fit.fitted.vertices * turn;

@@ -56,10 +56,11 @@ inline Case read_case(const std::string& folder, const Context& context) {
 }
 
 /// Distances of the fitted vertices from the true ones, over the visible vertices of the zone
-/// "face" and over all vertices.
+/// "face", over all vertices and over the walls that no scanner sees.
 struct Errors {
-    double face_mm = 0, face95_mm = 0, all_mm = 0, surface_mm = 0;
+    double face_mm = 0, face95_mm = 0, all_mm = 0, walls_mm = 0, surface_mm = 0;
     int flipped = 0;
+    int crossings = 0;  ///< pairs of triangles that cross
 };
 
 // Triangles of visible corners that lie the other way than the true ones.
@@ -75,8 +76,9 @@ inline int count_flipped(const Case& one, const TriMesh& fitted) {
     return flipped;
 }
 
-inline Errors errors_of(const DeformationModel& model, const Case& one,
-                        const RegistrationResult& fit) {
+/// `walls`: #V, find_inner_vertices() of the model's template, or empty.
+inline Errors errors_of(const DeformationModel& model, const std::vector<std::uint8_t>& walls,
+                        const Case& one, const RegistrationResult& fit) {
     const Zone* face = find_zone(model.zones, "face");
     if (face == nullptr) fail(Status::not_found, "the model has no zone 'face'");
     if (fit.fitted.vertices.rows() != one.truth.rows())
@@ -96,7 +98,12 @@ inline Errors errors_of(const DeformationModel& model, const Case& one,
     std::nth_element(on_face.begin(), place, on_face.end());
     errors.face95_mm = *place;
     errors.all_mm = distance.mean();
+    double on_walls = 0;
+    for (std::size_t v = 0; v < walls.size(); ++v)
+        if (walls[v] != 0) errors.walls_mm += distance[static_cast<Index>(v)], ++on_walls;
+    if (on_walls > 0) errors.walls_mm /= on_walls;
     errors.flipped = count_flipped(one, fit.fitted);
+    errors.crossings = fit.verdict.self_intersections;
     return errors;
 }
 
