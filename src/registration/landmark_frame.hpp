@@ -16,7 +16,7 @@
 
 namespace mien {
 
-/// All by judgement: heads differ by 20 % and units by 2.5 times at least.
+/// All [J] (registration/settings.hpp): heads differ by 20 % and units by 2.5 times at least.
 struct LandmarkFrameSettings {
     bool enabled = true;
     std::size_t fewest = 4;      ///< >= 3: known landmarks below which nothing is settled

@@ -26,7 +26,7 @@ struct SharpenSettings {
     double start_mm, end_mm;  ///< mm, > 0: scale of the weights, first and last
 };
 
-/// Tags in brackets: registration/settings.hpp. All by judgement: search scores of right poses are
+/// Tags in brackets: registration/settings.hpp. All [J]: search scores of right poses are
 /// 0.56 to 0.95, of wrong ones and no faces 0.18 to 0.54.
 struct SearchSettings {
     int views = 110;                 ///< >= 1: directions over the sphere, 17 degrees apart

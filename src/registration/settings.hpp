@@ -4,8 +4,9 @@
 // Each member says its meaning, unit and range. A tag in brackets says what chose its default:
 //   [T]  a table of tests/bench/README.md, which is named
 //   [A]  the ablation table there: switching it off, or to the plain choice, costs what it prints
-//   [J]  judgement while the stage was written, and not measured by itself
-// Numbers without a tag are published, exact, or bounds that a sensible fit never meets.
+//   [J]  judgement, not measured
+// A tag at a struct holds for all its numbers. Those without a tag are published, exact, or bounds
+// that a sensible fit never meets.
 #pragma once
 
 #include "registration/confidence.hpp"
