@@ -191,6 +191,31 @@ mien_status MIEN_CALL mien_registration_get_verdict(const mien_registration* reg
     });
 }
 
+mien_status MIEN_CALL mien_registration_get_expected_error(const mien_registration* registration,
+                                                           const char* zone,
+                                                           mien_expected_error* out,
+                                                           mien_error* error) {
+    return guarded(error, [&] {
+        const Verdict& verdict = checked(registration, "registration").data.verdict;
+        const std::string name = zone != nullptr ? checked_text(zone, "zone") : "";
+        for (std::size_t k = 0; k < verdict.expected.size(); ++k) {
+            const ExpectedError& expected = verdict.expected[k];
+            if (zone != nullptr ? expected.zone != name : k > 0) continue;
+            mien_expected_error value{};
+            value.quality = static_cast<std::int32_t>(expected.quality);
+            value.expected_mm = expected.expected_mm;
+            value.low_mm = expected.low_mm;
+            value.high_mm = expected.high_mm;
+            value.unseen = verdict.zones[k].unseen;
+            write_struct(out, value, MIEN_FIRST_SIZE(mien_expected_error, unseen));
+            return;
+        }
+        if (verdict.expected.empty())
+            fail(Status::not_found, "no error was stated with this registration");
+        fail(Status::not_found, "the model of this registration has no zone '%.60s'", name.c_str());
+    });
+}
+
 mien_status MIEN_CALL mien_registration_get_field(const mien_registration* registration,
                                                   int32_t field, double* dst, uint64_t capacity,
                                                   uint64_t* count, mien_error* error) {

@@ -258,6 +258,17 @@ namespace Mien.Native
     }
 
     [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct ExpectedError
+    {
+        public uint structSize;
+        public int quality;
+        public double expectedMm;
+        public double lowMm;
+        public double highMm;
+        public double unseen;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     internal unsafe struct NeutralizeOptions
     {
         public uint structSize;
@@ -775,6 +786,8 @@ namespace Mien.Native
         internal static extern IntPtr mien_registration_mesh(IntPtr registration);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern int mien_registration_get_verdict(IntPtr registration, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_registration_get_expected_error(IntPtr registration, IntPtr zone, IntPtr @out, IntPtr error);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern int mien_registration_get_field(IntPtr registration, int field, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
@@ -1368,6 +1381,9 @@ namespace Mien.Native
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         internal delegate int mien_registration_get_verdict_function(IntPtr registration, IntPtr @out, IntPtr error);
         internal static readonly mien_registration_get_verdict_function mien_registration_get_verdict = Library.Function<mien_registration_get_verdict_function>("mien_registration_get_verdict");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_registration_get_expected_error_function(IntPtr registration, IntPtr zone, IntPtr @out, IntPtr error);
+        internal static readonly mien_registration_get_expected_error_function mien_registration_get_expected_error = Library.Function<mien_registration_get_expected_error_function>("mien_registration_get_expected_error");
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         internal delegate int mien_registration_get_field_function(IntPtr registration, int field, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
         internal static readonly mien_registration_get_field_function mien_registration_get_field = Library.Function<mien_registration_get_field_function>("mien_registration_get_field");

@@ -182,6 +182,13 @@ STATIC_CHECK(offsetof(mien_fit_verdict, landmarks_used) == 64, place_of_mien_fit
 STATIC_CHECK(offsetof(mien_fit_verdict, landmarks_rejected) == 68, place_of_mien_fit_verdict_landmarks_rejected);
 STATIC_CHECK(offsetof(mien_fit_verdict, flipped_triangles) == 72, place_of_mien_fit_verdict_flipped_triangles);
 STATIC_CHECK(offsetof(mien_fit_verdict, self_intersections) == 76, place_of_mien_fit_verdict_self_intersections);
+STATIC_CHECK(sizeof(mien_expected_error) == 40, size_of_mien_expected_error);
+STATIC_CHECK(offsetof(mien_expected_error, struct_size) == 0, place_of_mien_expected_error_struct_size);
+STATIC_CHECK(offsetof(mien_expected_error, quality) == 4, place_of_mien_expected_error_quality);
+STATIC_CHECK(offsetof(mien_expected_error, expected_mm) == 8, place_of_mien_expected_error_expected_mm);
+STATIC_CHECK(offsetof(mien_expected_error, low_mm) == 16, place_of_mien_expected_error_low_mm);
+STATIC_CHECK(offsetof(mien_expected_error, high_mm) == 24, place_of_mien_expected_error_high_mm);
+STATIC_CHECK(offsetof(mien_expected_error, unseen) == 32, place_of_mien_expected_error_unseen);
 STATIC_CHECK(sizeof(mien_neutralize_options) == 104, size_of_mien_neutralize_options);
 STATIC_CHECK(offsetof(mien_neutralize_options, struct_size) == 0, place_of_mien_neutralize_options_struct_size);
 STATIC_CHECK(offsetof(mien_neutralize_options, method) == 4, place_of_mien_neutralize_options_method);
@@ -1053,6 +1060,12 @@ JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1registration_1get_1verdict(JNIEnv 
     (void)env;
     (void)self;
     return (jint)mien_registration_get_verdict((const mien_registration*)(intptr_t)registration, (mien_fit_verdict*)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1registration_1get_1expected_1error(JNIEnv *env, jobject self, jlong registration, jlong zone, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_registration_get_expected_error((const mien_registration*)(intptr_t)registration, (const char*)(intptr_t)zone, (mien_expected_error*)(intptr_t)out, (mien_error*)(intptr_t)error);
 }
 
 JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1registration_1get_1field(JNIEnv *env, jobject self, jlong registration, jint field, jlong dst, jlong capacity, jlong count, jlong error) {

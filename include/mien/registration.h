@@ -83,9 +83,9 @@ typedef struct mien_register_options {
 /** How far a fit is to be trusted. */
 enum { MIEN_QUALITY_GOOD = 0, MIEN_QUALITY_DOUBTFUL = 1, MIEN_QUALITY_FAILED = 2 };
 
-/** The verdict on a fit; the reasons in words are in the JSON report. With fewer than three
- * landmarks and without trained modes a fit is doubtful at best: its surface may be right and its
- * vertices slid along it by millimetres, even where colours hold mouth and brows. */
+/** The verdict on a fit; the reasons in words are in the JSON report. The quality is that of the
+ * error expected of the whole face (mien_registration_get_expected_error()), doubtful at best where
+ * a zone has failed. */
 typedef struct mien_fit_verdict {
     uint32_t struct_size;
     int32_t quality;     /**< MIEN_QUALITY_* */
@@ -101,6 +101,17 @@ typedef struct mien_fit_verdict {
     int32_t flipped_triangles;
     int32_t self_intersections;
 } mien_fit_verdict;
+
+/** How far a fitted zone is expected to be from the truth: the mean distance of its vertices from
+ * the true ones, learned from simulated fits of many people, poses and troubles. Since 0.2 */
+typedef struct mien_expected_error {
+    uint32_t struct_size;
+    int32_t quality; /**< MIEN_QUALITY_*, of the zone alone */
+    double expected_mm;
+    double low_mm; /**< 8 of 10 like fits are between low_mm and high_mm off */
+    double high_mm;
+    double unseen; /**< 0 to 1: share of the zone that the scan had no say in */
+} mien_expected_error;
 
 /** Fields with one value per template vertex. */
 enum {
@@ -190,6 +201,26 @@ MIEN_API mien_status MIEN_CALL mien_registration_get_verdict(const mien_registra
                                                              mien_error* error);
 
 /**
+ * The error that is expected of a zone of the model, or of the whole face. Set out->struct_size
+ * first.
+ *
+ * @param registration [in] not null.
+ * @param zone         [in] a zone of the model by its name; null: the whole face.
+ * @param out          [in,out] not null; struct_size as the caller knows it, the rest is written.
+ * @param error        [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NOT_FOUND (no such zone, or the
+ * registration was made of arrays or read from a file that states none)
+ * @owner  nothing
+ * @thread thread-safe
+ * @cancel no
+ * @cost   O(#zones)
+ * @since  0.2
+ */
+MIEN_API mien_status MIEN_CALL
+mien_registration_get_expected_error(const mien_registration* registration, const char* zone,
+                                     mien_expected_error* out, mien_error* error);
+
+/**
  * Copies a field with one float64 per template vertex. With dst null and capacity 0: the count
  * only.
  *
@@ -254,8 +285,8 @@ MIEN_API mien_status MIEN_CALL mien_registration_get_motion(const mien_registrat
 
 /**
  * Verdict with reasons, energies, motion, color_agreement (correlation of each feature's colour
- * with the template, -1 to 1; empty when colours had no say) and summaries as JSON text. With dst
- * null and capacity 0: the size only.
+ * with the template, -1 to 1; empty when colours had no say), measures and expected_error of every
+ * zone and summaries as JSON text. With dst null and capacity 0: the size only.
  *
  * @param registration [in] not null.
  * @param dst          [out] room for capacity bytes, or null.

@@ -11,7 +11,7 @@ struct RegisterArguments {
     double landmark_sigma = 2;
     std::string units = "detect", start = "automatic";
     int max_modes = -1, max_pca_modes = -1, iterations = 0;
-    bool no_close_gap = false, no_colors = false, mend_landmarks = false;
+    bool no_close_gap = false, no_colors = false, mend_landmarks = false, accept_failed = false;
     Common common;
 };
 
@@ -19,6 +19,17 @@ std::string number_text(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%g", value);
     return text;
+}
+
+std::string error_text(const nlohmann::json& error) {
+    char text[80];
+    std::snprintf(text, sizeof text, "%.1f mm (%.1f to %.1f)", error["expected_mm"].get<double>(),
+                  error["low_mm"].get<double>(), error["high_mm"].get<double>());
+    return text;
+}
+
+std::string first_reason(const nlohmann::json& report) {
+    return report["reasons"].empty() ? "no reason stated" : report["reasons"][0];
 }
 
 int choice(const std::string& value, const std::vector<std::string>& names) {
@@ -86,7 +97,13 @@ void run_register(const RegisterArguments& arguments) {
     for (const auto& note : report["notes"]) line += "; note: " + note.get<std::string>();
     if (const double unit = report["unit_to_mm"]; unit != 1)
         line += "; unit of the scan: " + number_text(unit) + " mm";
+    if (report.contains("expected_error") && report["expected_error"].contains("face"))
+        line += "; expected error of the face " + error_text(report["expected_error"]["face"]);
     std::puts(line.c_str());
+    if (report["quality"] == "failed" && !arguments.accept_failed)
+        throw std::runtime_error(arguments.scan + ": the fit failed (" + first_reason(report) +
+                                 "); its files are written; mend the cause, or give "
+                                 "--accept-failed to go on with it");
 }
 
 struct TransferArguments {
@@ -180,6 +197,8 @@ void add_registration_commands(CLI::App& app) {
                       "stay within the span of the model");
     command->add_flag("--no-colors", arguments->no_colors,
                       "go by the form alone, not by lips and brows");
+    command->add_flag("--accept-failed", arguments->accept_failed,
+                      "exit with 0 even when the fit is judged failed");
     command->add_option("--out", arguments->out, "fitted template")->required();
     command->add_option("--record", arguments->record,
                         "keep the fit with its errors as a safetensors file, which report and "

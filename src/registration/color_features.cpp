@@ -237,9 +237,29 @@ std::vector<ColorAgreement> ColorFeatures::agreements(const ScanView& scan, cons
         Correspondences found;
         const bool seen = look(feature, scan, places, normals, match, settings_.sharpest_mm, found,
                                view, context);
-        agreements.push_back({feature.name, seen ? view.trust * view.correlation : 0});
+        agreements.push_back({feature.name, seen ? view.trust * view.correlation : 0, view.trust});
+        if (!seen) agreements.back().trust = 0;
     }
     return agreements;
+}
+
+ColorFeatures ColorFeatures::without(const std::vector<std::string>& names) const {
+    ColorFeatures others = *this;
+    const auto named = [&](const Feature& feature) {
+        return std::find(names.begin(), names.end(), feature.name) != names.end();
+    };
+    std::vector<Feature>& f = others.features_;
+    f.erase(std::remove_if(f.begin(), f.end(), named), f.end());
+    return others;
+}
+
+std::vector<std::string> ColorFeatures::lying(const std::vector<ColorAgreement>& agreements) const {
+    std::vector<std::string> names;
+    for (const ColorAgreement& feature : agreements)
+        if (feature.trust > settings_.least_trust &&
+            feature.correlation < settings_.least_agreement * feature.trust)
+            names.push_back(feature.name);
+    return names;
 }
 
 }  // namespace mien

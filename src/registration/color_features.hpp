@@ -38,6 +38,10 @@ struct ColorFeatureSettings {
     double core = 0.5;    ///< 0 to 1: the middle share of the sorted tones that is averaged [J]
     /// Correlations of what is expected and what is seen: no pull below, full pull above. [J]
     double no_pull = 0.1, full_pull = 0.5;
+    /// A finished fit that sees less of a feature was led by something else: redrawn brows,
+    /// make-up, light from the side, a mask. [T] "Colours that lie"
+    double least_agreement = 0.8;
+    double least_trust = 0.05;   ///< 0 to 1: features of less contrast have not led it anywhere [J]
     double sharpest_mm = 1;      ///< blur of a look that does not have to feel from afar [J]
     double spread_rounds = 2.3;  ///< rounds of averaging over the ring per squared edge of blur: a
                                  ///< round spreads a value by about two thirds of an edge
@@ -58,6 +62,7 @@ struct ColorAgreement {
     std::string name;  ///< brow_right, brow_left, lips
     double correlation =
         0;  ///< of what is expected and what is seen, -1 to 1; 0 where the scan shows no contrast
+    double trust = 0;  ///< 0 to 1, by the contrast that the scan shows there
 };
 
 /// What a model's template says of brows and lips; scans are asked with each call. Immutable.
@@ -73,6 +78,13 @@ class ColorFeatures {
                   const ColorFeatureSettings& settings, const Context& context);
 
     bool empty() const { return features_.empty(); }
+
+    /// The features without those named.
+    ColorFeatures without(const std::vector<std::string>& names) const;
+
+    /// Names of the features that led a finished fit astray: the scan shows a contrast there that
+    /// does not lie as the feature does.
+    std::vector<std::string> lying(const std::vector<ColorAgreement>& agreements) const;
 
     /// `places` and `normals`: of all vertices of the template, scan frame. A feature that the scan
     /// shows too faintly, or quite elsewhere, does not pull; nor does any on a scan without

@@ -12,6 +12,7 @@ namespace {
 constexpr const char* kKind = "mien-fit-record";
 constexpr int kMajor = 1;
 constexpr std::int64_t kNumVerdict = 15, kNumMotion = 13;
+constexpr std::int64_t kNumWhole = 12, kNumZone = 8, kNumExpected = 5;
 
 std::uint64_t size_of(Index count) {
     return static_cast<std::uint64_t>(count);
@@ -60,6 +61,75 @@ void read_numbers(const double* n, Verdict& v, RegistrationResult& fit) {
     v.unit_to_mm = n[12];
     v.may_slide = n[13] != 0;
     fit.iterations = whole(n[14], "iterations");
+}
+
+// Measures of the whole, then rows of measures and expected errors of the zones.
+std::vector<double> numbers_of(const WholeMeasures& w) {
+    return {
+        w.search_miss,      w.landmark_misfit, w.landmarks_out, w.color_miss, w.trained_deviation,
+        w.kernel_deviation, w.kernel_mm,       w.size,          w.folds,      w.is_free,
+        w.is_trained,       w.no_colors};
+}
+
+void read_numbers(const double* n, WholeMeasures& w) {
+    for (double* number : {&w.search_miss, &w.landmark_misfit, &w.landmarks_out, &w.color_miss,
+                           &w.trained_deviation, &w.kernel_deviation, &w.kernel_mm, &w.size,
+                           &w.folds, &w.is_free, &w.is_trained, &w.no_colors})
+        *number = *n++;
+}
+
+void add_numbers(const ZoneMeasures& z, std::vector<double>& out) {
+    out.insert(out.end(), {z.unseen, z.residual_mm, z.open_mm, z.turn, z.deviation_mm, z.stretch,
+                           z.landmark_mm, static_cast<double>(z.landmarks)});
+}
+
+void read_numbers(const double* n, ZoneMeasures& z) {
+    for (double* number : {&z.unseen, &z.residual_mm, &z.open_mm, &z.turn, &z.deviation_mm,
+                           &z.stretch, &z.landmark_mm})
+        *number = *n++;
+    z.landmarks = whole(*n, "landmarks of a zone");
+}
+
+void add_numbers(const ExpectedError& e, std::vector<double>& out) {
+    out.insert(out.end(), {e.expected_mm, e.low_mm, e.high_mm, static_cast<double>(e.quality),
+                           static_cast<double>(e.cause)});
+}
+
+void read_numbers(const double* n, ExpectedError& e) {
+    e.expected_mm = n[0];
+    e.low_mm = n[1];
+    e.high_mm = n[2];
+    const int quality = whole(n[3], "quality of a zone"), cause = whole(n[4], "cause of a zone");
+    if (quality > static_cast<int>(FitQuality::failed) ||
+        cause > static_cast<int>(FitMeasure::face_mm))
+        fail(Status::bad_format, "tensor 'expected_errors': quality %d or cause %d is none",
+             quality, cause);
+    e.quality = static_cast<FitQuality>(quality);
+    e.cause = static_cast<FitMeasure>(cause);
+}
+
+// What is expected of the zones; files of before have none.
+void read_expected(const SafetensorsFile& file, Verdict& v) {
+    if (!file.has("expected_errors")) return;
+    const std::vector<std::string> names =
+        parse_json_string_list(file.metadata("measured_zones"), "measured_zones");
+    const auto count = static_cast<std::int64_t>(names.size());
+    const auto rows = [&](const char* name, std::int64_t columns) {
+        return static_cast<const double*>(file.tensor(name, DType::f64, {count, columns}).data);
+    };
+    read_numbers(static_cast<const double*>(file.tensor("measures", DType::f64, {kNumWhole}).data),
+                 v.whole);
+    const double* measures = rows("zone_measures", kNumZone);
+    const double* errors = rows("expected_errors", kNumExpected);
+    for (std::int64_t k = 0; k < count; ++k) {
+        const std::string& name = names[static_cast<std::size_t>(k)];
+        v.zones.emplace_back();
+        v.zones.back().name = name;
+        read_numbers(measures + kNumZone * k, v.zones.back());
+        v.expected.emplace_back();
+        v.expected.back().zone = name;
+        read_numbers(errors + kNumExpected * k, v.expected.back());
+    }
 }
 
 std::vector<double> numbers_of(const Similarity& motion) {
@@ -145,7 +215,8 @@ void read_hits(const SafetensorsFile& file, Index num_vertices, std::vector<Surf
 struct Writing {
     std::vector<TensorToWrite> tensors;
     std::map<std::string, std::string> metadata;
-    std::vector<double> verdict, start, motion, energy, correlations, barycentric;
+    std::vector<double> verdict, start, motion, energy, correlations, barycentric, measures,
+        zone_measures, expected_errors;
     std::vector<std::uint32_t> scan_triangles, zone_vertices, zone_sizes;
 
     void add(const char* name, const std::vector<double>& values,
@@ -164,7 +235,7 @@ struct Writing {
 
 void add_names(Writing& out, const RegistrationResult& fit, const std::vector<Zone>& zones) {
     const Verdict& verdict = fit.verdict;
-    std::vector<std::string> colors, zone_names;
+    std::vector<std::string> colors, zone_names, measured;
     for (const ColorAgreement& feature : verdict.colors) {
         colors.push_back(feature.name);
         out.correlations.push_back(feature.correlation);
@@ -175,6 +246,9 @@ void add_names(Writing& out, const RegistrationResult& fit, const std::vector<Zo
         out.zone_vertices.insert(out.zone_vertices.end(), zone.vertices.begin(),
                                  zone.vertices.end());
     }
+    for (const ZoneMeasures& zone : verdict.zones) measured.push_back(zone.name);
+    if (!measured.empty()) out.metadata["measured_zones"] = json_string_list(measured);
+    out.metadata["colors_left_out"] = json_string_list(verdict.colors_left_out);
     out.metadata["reasons"] = json_string_list(verdict.reasons);
     out.metadata["landmarks_rejected"] = json_string_list(verdict.landmarks_rejected);
     out.metadata["landmarks_unknown"] = json_string_list(fit.unknown_landmarks);
@@ -193,6 +267,9 @@ void save_fit_record(const std::string& path, const TriMesh& mesh, const Registr
     add_names(out, fit, zones);
     out.verdict = numbers_of(fit.verdict, fit);
     out.verdict.push_back(fit.sigma_mm);
+    if (!fit.verdict.expected.empty()) out.measures = numbers_of(fit.verdict.whole);
+    for (const ZoneMeasures& zone : fit.verdict.zones) add_numbers(zone, out.zone_measures);
+    for (const ExpectedError& error : fit.verdict.expected) add_numbers(error, out.expected_errors);
     out.start = numbers_of(fit.start);
     out.motion = numbers_of(fit.motion);
     out.energy = fit.energy;
@@ -205,6 +282,9 @@ void save_fit_record(const std::string& path, const TriMesh& mesh, const Registr
     out.add("weight", fit.weight);
     out.add("standard_deviation_mm", fit.confidence_mm);
     out.add("verdict", out.verdict);
+    out.add("measures", out.measures);
+    out.add("zone_measures", out.zone_measures, {fit.verdict.zones.size(), kNumZone});
+    out.add("expected_errors", out.expected_errors, {fit.verdict.expected.size(), kNumExpected});
     out.add("start", out.start);
     out.add("motion", out.motion);
     out.add("energy_mm2", out.energy);
@@ -263,6 +343,9 @@ FitRecord read_fit_record(const SafetensorsFile& file) {
     fit.verdict.reasons = names("reasons");
     fit.verdict.landmarks_rejected = names("landmarks_rejected");
     fit.unknown_landmarks = names("landmarks_unknown");
+    read_expected(file, fit.verdict);
+    if (file.metadata().count("colors_left_out") != 0)
+        fit.verdict.colors_left_out = names("colors_left_out");
     const std::vector<std::string> colors = names("color_features");
     for (std::size_t i = 0; i < colors.size(); ++i)
         fit.verdict.colors.push_back(

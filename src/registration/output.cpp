@@ -27,8 +27,8 @@ void find_residuals(const FinishedStages& stages, const Points& normals, Registr
 }
 
 Verdict find_verdict(const FinishedStages& stages, const Points& normals,
-                     const std::vector<SurfaceHit>& correspondence,
-                     const RegistrationSettings& settings, const Context& context) {
+                     const RegistrationResult& result, const RegistrationSettings& settings,
+                     const Context& context) {
     const Points& places = stages.inner.places;
     const FoldCounts& folds = stages.inner.folds;
     Verdict verdict;
@@ -39,14 +39,16 @@ Verdict find_verdict(const FinishedStages& stages, const Points& normals,
     verdict.turned_triangles = static_cast<int>(stages.scan.num_turned);
     verdict.notes = stages.start.notes;
     verdict.landmarks_rejected = stages.start.rejected;
+    verdict.colors_left_out = stages.start.colors_left_out;
     verdict.repaired_triangles = static_cast<int>(stages.gap.undone + folds.before - folds.after);
     verdict.flipped_triangles = static_cast<int>(folds.after);
     verdict.self_intersections = static_cast<int>(
         count_self_intersections(places, stages.model.template_mesh.triangles, context));
     verdict.colors = stages.prior.colors.agreements(stages.start.scan, places, normals,
                                                     settings.fit.loop.match, context);
-    measure_fit({stages.model, stages.prior, stages.start, stages.fit, places, correspondence},
-                settings.verdict.measure, verdict);
+    measure_fit({stages.model, stages.prior, stages.start, stages.fit, places,
+                 result.correspondence, result.weight, result.confidence_mm},
+                settings.start.landmark_sigma_mm, settings.verdict.measure, verdict);
     judge(verdict, settings.verdict.limits);
     return verdict;
 }
@@ -70,7 +72,7 @@ RegistrationResult make_result(const FinishedStages& stages, const RegistrationS
     result.weight = stages.gap.weight.size() > 0 ? Vector(trace.weight.cwiseMax(stages.gap.weight))
                                                  : trace.weight;
     find_residuals(stages, normals, result, context);
-    result.verdict = find_verdict(stages, normals, result.correspondence, settings, context);
+    result.verdict = find_verdict(stages, normals, result, settings, context);
     for (SurfaceHit& hit : result.correspondence) {
         hit.barycentric = stages.scan.raw_barycentric(hit);
         hit.triangle = stages.scan.raw_primitive(hit);

@@ -165,7 +165,7 @@ PinFactors weigh_pins(const DeformationModel& model, const std::vector<Pin>& pin
                     noise * noise * sigma2;
                 cost += std::log(variance) + seen[j] * seen[j] / variance;
             }
-            if (cost < best_cost) best_cost = cost, best = {amplitude, noise};
+            if (cost < best_cost) best_cost = cost, best = {amplitude, noise, cost, true};
         }
     return best;
 }

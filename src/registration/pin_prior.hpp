@@ -37,10 +37,13 @@ struct PinPriorSettings {
     int noise_low = -8, noise_high = 2;  ///< quarter octaves: 1/4 to 1.4 times the stated error [J]
 };
 
-/// Factors on the kernel's deviation (1 when trained modes take part) and on the pins' picking
-/// error.
+/// Factors on the kernel's deviation (1 when trained modes take part, that is pca_amplitude > 0)
+/// and on the pins' picking error.
 struct PinFactors {
     double amplitude = 1, noise = 1;
+    double cost = 0;       ///< twice the negative logarithm of their marginal likelihood, but for a
+                           ///< constant that all priors share
+    bool weighed = false;  ///< false: too few pins, or too many
 };
 
 /// The likeliest factors; ones for too few or too many pins. Amplitudes are those that the factors

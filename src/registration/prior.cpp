@@ -12,13 +12,12 @@ Index at_most(Index most, Index all) {
     return most >= 0 ? std::min(most, all) : all;
 }
 
-// Root mean square over the vertices of the kernel's prior deviation in its first modes, mm.
+}  // namespace
+
 double kernel_deviation_mm(const DeformationModel& model, Index scalar_modes) {
     return std::sqrt(static_cast<double>(model.basis.map().leftCols(scalar_modes).squaredNorm()) /
                      static_cast<double>(model.num_vertices()));
 }
-
-}  // namespace
 
 FitState PriorState::state_at_rest() const {
     FitState state;
@@ -50,6 +49,16 @@ PriorState choose_prior(const DeformationModel& model, const PriorSettings& sett
     prior.inner = find_inner_vertices(model.template_mesh, inner, context);
     prior.colors = ColorFeatures(model, prior.inner, colors, context);
     return prior;
+}
+
+PriorState kernel_alone(const DeformationModel& model, const PriorState& prior,
+                        const PriorSettings& settings) {
+    PriorState alone = prior;
+    alone.pca_modes = 0;
+    alone.scalar_modes = at_most(settings.max_scalar_modes, model.basis.cols);
+    alone.kernel_amplitude = 1;
+    alone.freedom.scale = settings.estimate_scale != 0;
+    return alone;
 }
 
 }  // namespace mien

@@ -22,6 +22,10 @@ struct PriorSettings {
     /// Whether the motion may scale: 1, 0, or -1: only for models without trained modes, which know
     /// sizes. [A]
     int estimate_scale = -1;
+    bool weigh_trained = true;       ///< landmarks may speak against the trained modes [T] "Two
+                                     ///< priors, weighed"
+    double clearly = 12;             ///< >= 0: by how much the kernel's cost (pin_prior.hpp) must
+                                     ///< be lower [T]
     double residual_sd_mm = 0.7;     ///< mm, > 0: what trained modes leave to the kernel, when its
                                      ///< amplitude is automatic [A]
     Index max_residual_modes = 250;  ///< >= 0: the scalar modes spent on it [A]
@@ -47,6 +51,15 @@ struct PriorState {
     /// At rest, with room for all modes.
     FitState state_at_rest() const;
 };
+
+/// The same without trained modes: all the kernel's modes, free in size unless the settings say
+/// otherwise, at an amplitude that landmarks choose.
+PriorState kernel_alone(const DeformationModel& model, const PriorState& prior,
+                        const PriorSettings& settings);
+
+/// Root mean square over the vertices of the kernel's prior deviation in its first modes at
+/// amplitude 1, mm.
+double kernel_deviation_mm(const DeformationModel& model, Index scalar_modes);
 
 /// O(V log F) for the walls that no scanner sees.
 PriorState choose_prior(const DeformationModel& model, const PriorSettings& settings,

@@ -3,10 +3,64 @@
 #include <cmath>
 #include <cstdio>
 
+#include "geometry/normals.hpp"
 #include "mesh/length_unit.hpp"
 #include "registration/output.hpp"
 
 namespace mien {
+namespace {
+
+struct BeginAndFit {
+    StartState start;
+    FitOutcome fit;
+};
+
+// Trained modes know the family of their training people. On a face outside of it they are worse
+// than the kernel that knows nothing, and its landmarks tell: whichever prior makes them likelier
+// by far is the one to fit by.
+bool landmarks_prefer_kernel(const DeformationModel& model, const PriorState& prior,
+                             const StartState& start, const RegistrationSettings& settings) {
+    if (!settings.prior.weigh_trained || prior.pca_modes == 0 || prior.amplitude_given ||
+        model.basis.cols == 0 || !start.pin_factors.weighed)
+        return false;
+    std::vector<Pin> pins = start.pins;
+    for (Pin& pin : pins) pin.sigma_mm = settings.start.landmark_sigma_mm;  // as stated
+    const PinFactors alone = weigh_pins(model, pins, start.motion, 1, 0, settings.start.pin_prior);
+    return alone.weighed && alone.cost + settings.prior.clearly < start.pin_factors.cost;
+}
+
+// The features that led the finished fit astray are left out, and all begins anew without them; a
+// pose that was searched is kept.
+bool leave_lying_colors_out(const DeformationModel& model, const PreparedScan& scan,
+                            const std::vector<LandmarkPoint>& landmarks,
+                            const RegistrationSettings& settings, PriorState& prior,
+                            BeginAndFit& done, const Context& context) {
+    if (prior.colors.empty() || !scan.surface.has_colors()) return false;
+    const LoopSettings& loop = settings.fit.loop;
+    const Points normals = vertex_normals(done.fit.state.places, model.template_mesh.triangles);
+    const std::vector<std::string> lying = prior.colors.lying(prior.colors.agreements(
+        done.start.scan, done.fit.state.places, normals, loop.match, context));
+    if (lying.empty()) return false;
+    prior.colors = prior.colors.without(lying);
+    Context quiet = context;
+    quiet.progress_function = nullptr;
+    if (done.start.is_free()) {
+        StartSettings again = settings.start;
+        if (done.start.searched) {
+            again.kind = StartKind::pose;
+            again.pose = done.start.motion;
+        }
+        StartState start = find_start(model, scan, prior, landmarks, again, loop, quiet);
+        start.searched = done.start.searched;
+        start.search_score = done.start.search_score;
+        done.start = std::move(start);
+    }
+    done.start.colors_left_out = lying;
+    done.fit = fit_surface(model, prior, done.start, settings.fit, quiet);
+    return true;
+}
+
+}  // namespace
 
 RegistrationResult register_prepared(const DeformationModel& model, const PreparedScan& scan,
                                      const PriorState& prior,
@@ -15,14 +69,24 @@ RegistrationResult register_prepared(const DeformationModel& model, const Prepar
     check_settings(settings);
     const VertexRings rings = build_rings(model.num_vertices(), model.template_mesh.triangles);
     const LoopSettings& loop = settings.fit.loop;
-    const StartState start =
-        find_start(model, scan, prior, landmarks, settings.start, loop, context);
-    const FitOutcome fit = fit_surface(model, prior, start, settings.fit, context);
-    const GapState gap = close_gap(model, start.scan, prior, fit.state, rings, loop.match,
+    BeginAndFit done{find_start(model, scan, prior, landmarks, settings.start, loop, context), {}};
+    PriorState settled = prior;
+    if (landmarks_prefer_kernel(model, prior, done.start, settings)) {
+        settled = kernel_alone(model, prior, settings.prior);
+        done.start = find_start(model, scan, settled, landmarks, settings.start, loop, context);
+        done.start.notes.emplace_back(
+            "by its landmarks the face is outside of what the trained modes span: fitted by the "
+            "kernel alone");
+    }
+    done.fit = fit_surface(model, settled, done.start, settings.fit, context);
+    leave_lying_colors_out(model, scan, landmarks, settings, settled, done, context);
+    const StartState& start = done.start;
+    const FitOutcome& fit = done.fit;
+    const GapState gap = close_gap(model, start.scan, settled, fit.state, rings, loop.match,
                                    loop.sigma_end_mm, settings.gap, context);
-    const InnerPartsState inner = settle_inner_parts(model, prior, fit.state, rings, gap.places,
+    const InnerPartsState inner = settle_inner_parts(model, settled, fit.state, rings, gap.places,
                                                      settings.inner, settings.folds, context);
-    return make_result({model, scan, prior, start, fit, gap, inner}, settings, context);
+    return make_result({model, scan, settled, start, fit, gap, inner}, settings, context);
 }
 
 namespace {

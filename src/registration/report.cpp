@@ -25,6 +25,48 @@ const char* quality_name(FitQuality quality) {
     return "failed";
 }
 
+void add_measures(JsonText& json, const Verdict& v) {
+    const WholeMeasures& w = v.whole;
+    json.key("measures").begin_object();
+    json.field("search_miss", w.search_miss);
+    json.field("landmark_misfit", w.landmark_misfit);
+    json.field("landmarks_out", w.landmarks_out);
+    json.field("color_miss", w.color_miss);
+    json.field("trained_deviation", w.trained_deviation);
+    json.field("kernel_deviation", w.kernel_deviation);
+    json.field("kernel_mm", w.kernel_mm);
+    json.field("size", w.size);
+    json.field("folds", w.folds);
+    json.field("is_free", w.is_free);
+    json.field("is_trained", w.is_trained);
+    json.field("no_colors", w.no_colors);
+    json.end_object();
+    json.key("zones").begin_object();
+    for (const ZoneMeasures& zone : v.zones) {
+        json.key(zone.name).begin_object();
+        json.field("unseen", zone.unseen);
+        json.field("residual_mm", zone.residual_mm);
+        json.field("open_mm", zone.open_mm);
+        json.field("turn", zone.turn);
+        json.field("deviation_mm", zone.deviation_mm);
+        json.field("stretch", zone.stretch);
+        json.field("landmark_mm", zone.landmark_mm);
+        json.field("landmarks", zone.landmarks);
+        json.end_object();
+    }
+    json.end_object();
+    json.key("expected_error").begin_object();
+    for (const ExpectedError& error : v.expected) {
+        json.key(error.zone).begin_object();
+        json.field("expected_mm", error.expected_mm);
+        json.field("low_mm", error.low_mm);
+        json.field("high_mm", error.high_mm);
+        json.field("quality", quality_name(error.quality));
+        json.end_object();
+    }
+    json.end_object();
+}
+
 }  // namespace
 
 std::string registration_json(const RegistrationResult& result) {
@@ -53,6 +95,8 @@ std::string registration_json(const RegistrationResult& result) {
     json.key("color_agreement").begin_object();
     for (const ColorAgreement& feature : v.colors) json.field(feature.name, feature.correlation);
     json.end_object();
+    json.field("colors_left_out", v.colors_left_out);
+    add_measures(json, v);
     json.field("iterations", result.iterations);
     json.field("noise_mm", result.sigma_mm);
     json.field("energy_mm2", result.energy);

@@ -125,6 +125,7 @@ void use_pins(const DeformationModel& model, const PriorState& prior, StartKind 
                            settings.pin_prior);
             state.kernel_amplitude *= likeliest.amplitude;
             for (Pin& pin : weighed) pin.sigma_mm *= likeliest.noise;
+            start.pin_factors = likeliest;
             context.log(LogLevel::debug, "kernel amplitude %.3f, picking error times %.2f",
                         state.kernel_amplitude, likeliest.noise);
         }
@@ -179,6 +180,16 @@ void face_outwards(const DeformationModel& model, const FacingSettings& settings
     start.scan.turn_over();
 }
 
+// Whether brows or lips stand out at all: a grey scan tells nothing of lids either.
+bool colors_vary(const DeformationModel& model, const PriorState& prior, const StartState& start,
+                 const LoopSettings& fit, const Context& context) {
+    const Points normals = vertex_normals(start.state.places, model.template_mesh.triangles);
+    for (const ColorAgreement& feature :
+         prior.colors.agreements(start.scan, start.state.places, normals, fit.match, context))
+        if (feature.trust > 0) return true;
+    return false;
+}
+
 }  // namespace
 
 StartState find_start(const DeformationModel& model, const PreparedScan& scan,
@@ -186,7 +197,7 @@ StartState find_start(const DeformationModel& model, const PreparedScan& scan,
                       const StartSettings& settings, const LoopSettings& fit,
                       const Context& context) {
     StartState start{
-        ScanView(scan.surface), prior.state_at_rest(), {}, {}, {}, {}, {}, 0, false, {}};
+        ScanView(scan.surface), prior.state_at_rest(), {}, {}, {}, {}, {}, 0, false, {}, {}, {}};
     NamedPins matched = match_landmarks(model, landmarks, scan.unit_to_mm,
                                         settings.landmark_sigma_mm, start.unknown);
     const StartKind kind = choose_kind(settings.kind, matched.pins.size(), landmarks.size());
@@ -204,7 +215,7 @@ StartState find_start(const DeformationModel& model, const PreparedScan& scan,
         const FitProblem problem{model, start.scan, prior.inner, prior.colors, no_pins};
         start_freely(problem, prior, fit, settings.approach, settings.openings, start.state,
                      context);
-        if (!prior.colors.empty()) {
+        if (colors_vary(model, prior, start, fit, context)) {
             const std::vector<Pin> lids = shut_lids(
                 model, start.scan, start.state, settings.landmark_sigma_mm, settings.lids, context);
             start.held.insert(start.held.end(), lids.begin(), lids.end());

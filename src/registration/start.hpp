@@ -60,7 +60,9 @@ struct StartState {
     std::vector<std::string> rejected;  ///< landmarks that the others contradict
     double search_score = 0;            ///< 0 to 1, of a search; 0 without one
     bool searched = false;
-    std::vector<std::string> notes;  ///< what was settled or mended on the way
+    std::vector<std::string> notes;            ///< what was settled or mended on the way
+    PinFactors pin_factors;                    ///< by which `pins` were weighed
+    std::vector<std::string> colors_left_out;  ///< features whose colours led a first fit astray
 
     /// No landmarks hold the fit along the skin.
     bool is_free() const { return pins.size() < kFewestPins; }

@@ -18,11 +18,14 @@ class Judge {
             return below ? !(value >= bound) : !(value <= bound);
         };
         if (!beyond(doubtful)) return;
-        const FitQuality found = beyond(failed) ? FitQuality::failed : FitQuality::doubtful;
-        if (found > verdict_.quality) verdict_.quality = found;
         char reason[200];
         std::snprintf(reason, sizeof reason, text, value);
-        verdict_.reasons.emplace_back(reason);
+        doubt(beyond(failed) ? FitQuality::failed : FitQuality::doubtful, reason);
+    }
+
+    void doubt(FitQuality found, std::string reason) {
+        if (found > verdict_.quality) verdict_.quality = found;
+        verdict_.reasons.push_back(std::move(reason));
     }
 
   private:
@@ -49,7 +52,7 @@ double mean_deviation(const FitState& state) {
 }
 
 // Coverage, share of inliers and their mean distance.
-void measure_surface(const FinishedFit& finished, const MeasureSettings& settings, Verdict& v) {
+void measure_surface(const MeasuredFit& finished, const MeasureSettings& settings, Verdict& v) {
     const Index n = finished.places.rows();
     const double near =
         settings.near_sigmas * std::max(finished.fit.trace.sigma_mm, settings.least_sigma_mm);
@@ -72,9 +75,36 @@ void measure_surface(const FinishedFit& finished, const MeasureSettings& setting
         inliers > 0 ? residual / static_cast<double>(inliers) : settings.no_residual_mm;
 }
 
+// The whole face decides. Zones are named, the worst first, where it is not good, or they failed.
+void judge_expected(Verdict& v, std::size_t most_zones, Judge& judge) {
+    v.expected = expect_errors(v.whole, v.zones, learned_error_tables());
+    std::vector<const ExpectedError*> zones;
+    for (const ExpectedError& error : v.expected) {
+        if (error.quality == FitQuality::good) continue;
+        if (&error == &v.expected.front())
+            judge.doubt(error.quality, reason_of(error));
+        else
+            zones.push_back(&error);
+    }
+    std::stable_sort(zones.begin(), zones.end(),
+                     [](const ExpectedError* a, const ExpectedError* b) {
+                         return a->expected_mm > b->expected_mm;
+                     });
+    const bool good = v.quality == FitQuality::good;
+    const auto minor = [good](const ExpectedError* error) {
+        return good && error->quality != FitQuality::failed;
+    };
+    zones.erase(std::remove_if(zones.begin(), zones.end(), minor), zones.end());
+    for (std::size_t k = 0; k < std::min(zones.size(), most_zones); ++k)
+        judge.doubt(
+            zones[k]->quality == FitQuality::failed ? FitQuality::doubtful : FitQuality::good,
+            reason_of(*zones[k]));
+}
+
 }  // namespace
 
-void measure_fit(const FinishedFit& finished, const MeasureSettings& settings, Verdict& v) {
+void measure_fit(const MeasuredFit& finished, double landmark_sigma_mm,
+                 const MeasureSettings& settings, Verdict& v) {
     measure_surface(finished, settings, v);
     const std::vector<Pin>& pins = finished.start.pins;
     double squares = 0;
@@ -85,6 +115,13 @@ void measure_fit(const FinishedFit& finished, const MeasureSettings& settings, V
     v.size_ratio = spread(finished.places) / spread(finished.model.template_mesh.vertices);
     v.mean_deviation = mean_deviation(finished.fit.state);
     v.may_slide = finished.start.is_free() && finished.prior.pca_modes == 0;
+    v.whole = measure_whole(finished, landmark_sigma_mm);
+    v.whole.no_colors = v.colors.empty() ? 1 : 0;
+    for (const ColorAgreement& feature : v.colors)
+        v.whole.color_miss = std::max(v.whole.color_miss, 1 - feature.correlation);
+    v.whole.folds = static_cast<double>(v.flipped_triangles) /
+                    static_cast<double>(finished.model.template_mesh.triangles.rows());
+    v.zones = measure_zones(finished, settings.zones);
 }
 
 void judge(Verdict& v, const VerdictLimits& l) {
@@ -109,24 +146,15 @@ void judge(Verdict& v, const VerdictLimits& l) {
         judge.limit(v.search_score, l.doubtful_search, l.failed_search, true,
                     "no face was found in any pose that agrees well enough (%.2f of 1): is this a "
                     "face, whole and in the right unit? Landmarks would tell");
-    if (v.turned_over) {
-        if (v.quality == FitQuality::good) v.quality = FitQuality::doubtful;
-        v.reasons.emplace_back(
-            "the scan's triangles face inwards: it is inside out, or mirrored (left and right "
-            "exchanged)");
-    }
-    if (v.may_slide) {
-        if (v.quality == FitQuality::good) v.quality = FitQuality::doubtful;
-        bool held = !v.colors.empty();
-        for (const ColorAgreement& feature : v.colors)
-            held = held && feature.correlation >= l.doubtful_color;
-        v.reasons.emplace_back(held ? "neither landmarks nor trained modes tell where along the "
-                                      "skin a place is: colours hold mouth and brows, "
-                                      "but cheeks and chin may have slid by some millimetres"
-                                    : "neither landmarks nor trained modes tell where along the "
-                                      "skin mouth, brows and cheeks are: "
-                                      "the surface is right, but its vertices may have slid along "
-                                      "it by some millimetres");
+    if (v.turned_over)
+        judge.doubt(FitQuality::doubtful,
+                    "the scan's triangles face inwards: it is inside out, or mirrored (left and "
+                    "right exchanged)");
+    judge_expected(v, l.most_zones, judge);
+    if (!v.colors_left_out.empty()) {
+        std::string names = "colours that do not lie as the form does were left out:";
+        for (const std::string& name : v.colors_left_out) names += " " + name;
+        v.notes.push_back(names);
     }
     if (!v.landmarks_rejected.empty()) {
         std::string names = "landmarks that contradict the others were left out:";

@@ -5,12 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "registration/fit.hpp"
+#include "registration/expected_error.hpp"
 
 namespace mien {
-
-/// The numbers are the C ABI's numbers.
-enum class FitQuality : std::int32_t { good = 0, doubtful = 1, failed = 2 };
 
 struct Verdict {
     FitQuality quality = FitQuality::good;
@@ -36,6 +33,11 @@ struct Verdict {
         colors;  ///< of lips and brows; empty when the scan has no colours or the model no names
     bool may_slide = false;  ///< fewer than three landmarks and no trained mode say where along the
                              ///< skin a place is
+    WholeMeasures whole;
+    std::vector<ZoneMeasures> zones;  ///< the whole face first; empty when read from a file that
+                                      ///< has none
+    std::vector<ExpectedError> expected;       ///< one for each of `zones`
+    std::vector<std::string> colors_left_out;  ///< features whose colours did not lie as they do
 };
 
 /// How the measures are taken. Tags in brackets: registration/settings.hpp.
@@ -45,21 +47,23 @@ struct MeasureSettings {
     double beside_mm = 10;        ///< mm, > 0: vertices farther from the scan are not beside it [J]
     double no_residual_mm = 1e3;  ///< mm: stands for the residual of a fit without inliers, which
                                   ///< thereby fails
+    ZoneMeasureSettings zones;
 };
 
-/// Limits beyond which a fit is doubtful or failed. [J]: right fits of the twelve simulated scans
-/// and two real ones stay clear of them, fits to a ball and to half a face do not.
+/// Limits beyond which a fit has failed, or is doubtful, whatever error is expected of it: no
+/// simulated fit stands for all that is no face. [J]: right fits of the twelve simulated scans and
+/// two real ones stay clear of them, fits to a ball and to half a face do not.
 struct VerdictLimits {
-    double doubtful_coverage = 0.25, failed_coverage = 0.12;
-    double doubtful_inliers = 0.75, failed_inliers = 0.5;
+    double doubtful_coverage = 0.2, failed_coverage = 0.12;
+    double doubtful_inliers = 0.6, failed_inliers = 0.5;
     double doubtful_residual_mm = 0.8, failed_residual_mm = 1.6;
-    double doubtful_landmark_mm = 5, failed_landmark_mm = 12;
-    double doubtful_size = 0.2, failed_size = 0.35;  ///< |log(size_ratio)|
+    double doubtful_landmark_mm = 8, failed_landmark_mm = 12;
+    double doubtful_size = 0.25, failed_size = 0.35;  ///< |log(size_ratio)|
     double doubtful_deviation = 2.5, failed_deviation = 5;
-    double doubtful_color = 0.8;  ///< correlation of a feature's colour: misled fits stay below
-    int doubtful_flipped = 20, failed_flipped = 400;
+    int doubtful_flipped = 100, failed_flipped = 400;
     /// Right poses score 0.56 to 0.95, balls, halves and backs of heads 0.33 to 0.48.
     double doubtful_search = 0.56, failed_search = 0.52;
+    std::size_t most_zones = 3;  ///< zones named in the reasons, the worst first
 };
 
 struct VerdictSettings {
@@ -67,20 +71,14 @@ struct VerdictSettings {
     VerdictLimits limits;
 };
 
-/// The finished fit, as the measures see it. Borrowed.
-struct FinishedFit {
-    const DeformationModel& model;
-    const PriorState& prior;
-    const StartState& start;
-    const FitOutcome& fit;
-    const Points& places;                           ///< #V x 3, scan frame
-    const std::vector<SurfaceHit>& correspondence;  ///< #V, all valid
-};
+/// Fills coverage, residuals, landmarks, size, deviation, may_slide and the measures of the whole
+/// and of the zones. Reads the verdict's colours and folds. `landmark_sigma_mm`: as stated.
+void measure_fit(const MeasuredFit& finished, double landmark_sigma_mm,
+                 const MeasureSettings& settings, Verdict& verdict);
 
-/// Fills coverage, residuals, landmarks, size, deviation and may_slide.
-void measure_fit(const FinishedFit& finished, const MeasureSettings& settings, Verdict& verdict);
-
-/// Sets quality and reasons from the measures.
+/// Sets the expected errors, quality and reasons from the measures. The quality is that of the
+/// error expected of the whole face; doubtful at best where that of a zone is failed; and limits
+/// that the whole stays within.
 void judge(Verdict& verdict, const VerdictLimits& limits);
 
 }  // namespace mien

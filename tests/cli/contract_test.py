@@ -6,6 +6,7 @@
 The main job runs once, in setUpModule; the tests look at what it left. Standard library only.
 """
 import json
+import math
 import shutil
 import struct
 import subprocess
@@ -107,8 +108,9 @@ class MainJob(unittest.TestCase):
     def test_colors_are_heard_and_can_be_left_out(self):
         demo = WORK / "demo"
         self.assertIn("lips", json.loads((WORK / "build.json").read_text())["zones"])
-        agreement = json.loads((WORK / "register.json").read_text())["color_agreement"]
-        self.assertEqual(set(agreement), {"brow_left", "brow_right", "lips"})
+        report = json.loads((WORK / "register.json").read_text())
+        agreement = report["color_agreement"]
+        self.assertEqual(sorted([*agreement, *report["colors_left_out"]]), ["brow_left", "brow_right", "lips"])
         self.assertGreater(agreement["lips"], 0.8)
         must("register", "--model", WORK / "face.safetensors", "--scan", demo / "scan/scan_grin.ply", "--no-colors",
              "--landmarks", demo / "scan/landmarks.json", "--out", WORK / "plain.ply", "--json", WORK / "plain.json")
@@ -121,6 +123,38 @@ class MainJob(unittest.TestCase):
             must("model", "build", "--template", demo / "template.ply", "--kernel", "euclidean-se", "--sigma", "30",
                  "--modes", "90", "--out", WORK / f"se{threads}.safetensors", "--threads", threads)
         self.assertEqual((WORK / "se1.safetensors").read_bytes(), (WORK / "se2.safetensors").read_bytes())
+
+
+class FailedFits(unittest.TestCase):
+    """A ball in a face's place: the fit fails, aloud."""
+
+    def test_status_is_one_and_files_are_written(self):
+        rings, points, triangles = 40, [], []
+        for i in range(rings + 1):
+            for k in range(2 * rings):
+                a, b = math.pi * i / rings, math.pi * k / rings
+                points.append((95 * math.sin(a) * math.cos(b), 95 * math.cos(a), 95 * math.sin(a) * math.sin(b)))
+        for i in range(rings):
+            for k in range(2 * rings):
+                p, q = 2 * rings * i + k + 1, 2 * rings * i + (k + 1) % (2 * rings) + 1
+                triangles += [(p, q, p + 2 * rings), (q, q + 2 * rings, p + 2 * rings)]
+        ball = WORK / "ball.obj"
+        ball.write_text("".join("v %.5f %.5f %.5f\n" % p for p in points) + "".join("f %d %d %d\n" % t for t in triangles))
+        command = ("register", "--model", WORK / "face.safetensors", "--scan", ball, "--out", WORK / "ball.ply",
+                   "--json", WORK / "ball.json")
+        status, out, err = run(*command)
+        self.assertEqual((status, err.count("\n")), (1, 1), err)
+        self.assertIn("--accept-failed", err)
+        self.assertIn("quality failed", out)
+        self.assertEqual(json.loads((WORK / "ball.json").read_text())["quality"], "failed")
+        self.assertTrue((WORK / "ball.ply").exists())
+        self.assertIn("quality failed", must(*command, "--accept-failed"))
+
+    def test_the_expected_error_is_stated_of_the_face_and_its_zones(self):
+        expected = json.loads((WORK / "register.json").read_text())["expected_error"]
+        self.assertIn("nose", expected)
+        for error in expected.values():
+            self.assertTrue(0 < error["low_mm"] <= error["expected_mm"] <= error["high_mm"])
 
 
 class Measures(unittest.TestCase):

@@ -2,9 +2,9 @@ package mien;
 
 // Written by abi/generate_bindings.py.
 /**
- * The verdict on a fit; the reasons in words are in the JSON report. With fewer than three landmarks and
- * without trained modes a fit is doubtful at best: its surface may be right and its vertices slid along it by
- * millimetres, even where colours hold mouth and brows.
+ * The verdict on a fit; the reasons in words are in the JSON report. The quality is that of the error
+ * expected of the whole face (mien_registration_get_expected_error()), doubtful at best where a zone has
+ * failed.
  * @param quality MIEN_QUALITY_* See Quality.
  * @param coverage share of the template's vertices with a scan beside them
  * @param inlierShare of those: share that lies on the scan

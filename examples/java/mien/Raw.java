@@ -122,6 +122,7 @@ interface Raw {
     int mien_register(long session, long model, long scan, long options, long out, long error);
     long mien_registration_mesh(long registration);
     int mien_registration_get_verdict(long registration, long out, long error);
+    int mien_registration_get_expected_error(long registration, long zone, long out, long error);
     int mien_registration_get_field(long registration, int field, long dst, long capacity, long count, long error);
     int mien_registration_get_correspondence(long registration, long triangles, long barycentric, long capacity, long count, long error);
     int mien_registration_get_motion(long registration, long matrix, long error);

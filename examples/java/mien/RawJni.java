@@ -115,6 +115,7 @@ final class RawJni implements Raw {
     @Override public native int mien_register(long session, long model, long scan, long options, long out, long error);
     @Override public native long mien_registration_mesh(long registration);
     @Override public native int mien_registration_get_verdict(long registration, long out, long error);
+    @Override public native int mien_registration_get_expected_error(long registration, long zone, long out, long error);
     @Override public native int mien_registration_get_field(long registration, int field, long dst, long capacity, long count, long error);
     @Override public native int mien_registration_get_correspondence(long registration, long triangles, long barycentric, long capacity, long count, long error);
     @Override public native int mien_registration_get_motion(long registration, long matrix, long error);

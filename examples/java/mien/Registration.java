@@ -38,6 +38,28 @@ public final class Registration extends NativeObject {
     }
 
     /**
+     * The error that is expected of a zone of the model, or of the whole face. C:
+     * mien_registration_get_expected_error().
+     * @param zone a zone of the model by its name; null: the whole face.
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NOT_FOUND (no such zone, or
+     * the registration was made of arrays or read from a file that states none)
+     */
+    public ExpectedError expectedError(String zone) {
+        try (Call call = new Call()) {
+            var registrationAt = call.use(this);
+            var zoneAt = call.textOrNull(zone);
+            var outAt = call.sized(40);
+            call.check(Raw.GET.mien_registration_get_expected_error(Memory.address(registrationAt), Memory.address(zoneAt), Memory.address(outAt), call.error()));
+            return ExpectedError.read(call, outAt, 0);
+        }
+    }
+
+    /** The error that is expected of a zone of the model, or of the whole face. All else as by default. */
+    public ExpectedError expectedError() {
+        return expectedError(null);
+    }
+
+    /**
      * Copies a field with one float64 per template vertex. C: mien_registration_get_field().
      * @param field one of MIEN_REGISTRATION_RESIDUAL_MM, MIEN_REGISTRATION_WEIGHT,
      * MIEN_REGISTRATION_STANDARD_DEVIATION_MM, MIEN_REGISTRATION_RADIUS95_MM,
@@ -97,8 +119,8 @@ public final class Registration extends NativeObject {
 
     /**
      * Verdict with reasons, energies, motion, color_agreement (correlation of each feature's colour with the
-     * template, -1 to 1; empty when colours had no say) and summaries as JSON text. C:
-     * mien_registration_get_json().
+     * template, -1 to 1; empty when colours had no say), measures and expected_error of every zone and summaries
+     * as JSON text. C: mien_registration_get_json().
      * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_NO_MEMORY
      */
     public String json() {

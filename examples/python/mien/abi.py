@@ -261,6 +261,17 @@ class FitVerdict(ctypes.Structure):
     ]
 
 
+class ExpectedError(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("quality", ctypes.c_int32),
+        ("expected_mm", ctypes.c_double),
+        ("low_mm", ctypes.c_double),
+        ("high_mm", ctypes.c_double),
+        ("unseen", ctypes.c_double),
+    ]
+
+
 class NeutralizeOptions(ctypes.Structure):
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
@@ -757,6 +768,14 @@ STRUCTS = {
         ("landmarks_rejected", "scalar", "int32_t", (), ""),
         ("flipped_triangles", "scalar", "int32_t", (), ""),
         ("self_intersections", "scalar", "int32_t", (), ""),
+    ),
+    "mien_expected_error": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("quality", "scalar", "int32_t", (), "QUALITY"),
+        ("expected_mm", "scalar", "double", (), ""),
+        ("low_mm", "scalar", "double", (), ""),
+        ("high_mm", "scalar", "double", (), ""),
+        ("unseen", "scalar", "double", (), ""),
     ),
     "mien_neutralize_options": (
         ("struct_size", "struct_size", "uint32_t", (), ""),
@@ -1627,6 +1646,12 @@ FUNCTIONS = {
     "mien_registration_get_verdict": (ctypes.c_int32, (), (
         ("registration", "handle", "mien_registration", (), False, ""),
         ("out", "struct_out", "mien_fit_verdict", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_registration_get_expected_error": (ctypes.c_int32, (), (
+        ("registration", "handle", "mien_registration", (), False, ""),
+        ("zone", "text", "char", (), True, ""),
+        ("out", "struct_out", "mien_expected_error", (), False, ""),
         ("error", "error", "mien_error", (), True, ""),
     )),
     "mien_registration_get_field": (ctypes.c_int32, (), (

@@ -80,6 +80,13 @@ class Registration {
         detail::call(mien_registration_get_verdict, get(), &out);
         return out;
     }
+    /// Of a zone of the model; null: of the whole face.
+    mien_expected_error expected_error(const char* zone = nullptr) const {
+        mien_expected_error out{};
+        out.struct_size = sizeof out;
+        detail::call(mien_registration_get_expected_error, get(), zone, &out);
+        return out;
+    }
     /// MIEN_REGISTRATION_RESIDUAL_MM and its kin, one value per template vertex.
     std::vector<double> field(std::int32_t field) const {
         std::uint64_t count = 0;

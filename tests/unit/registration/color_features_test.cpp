@@ -226,5 +226,32 @@ TEST(ShutLids, AreSeenByTheirColor) {
     }
 }
 
+// Make-up and redrawn brows once led fits that were called good.
+TEST(ColorFeatures, NameWhatTheScanShowsElsewhere) {
+    const PaintedFace face = painted_face();
+    const Points& rest = face.model.template_mesh.vertices;
+    const Paint redrawn = [](double x, double y) {
+        return is_brow(x, y - 9) ? kHair : is_lip(x, y) ? kLip : kSkin;
+    };
+    const Sight honest(face, face_paint), lying(face, redrawn);
+    EXPECT_TRUE(honest.colors.lying(honest.agreements(rest, face.normals)).empty());
+    const std::vector<std::string> names = lying.colors.lying(lying.agreements(rest, face.normals));
+    EXPECT_EQ(names, (std::vector<std::string>{"brow_right", "brow_left"}));
+    const ColorFeatures others = lying.colors.without(names);
+    const std::vector<ColorAgreement> left =
+        others.agreements(lying.scan, rest, face.normals, {}, {});
+    ASSERT_EQ(left.size(), 1u);
+    EXPECT_EQ(left[0].name, "lips");
+}
+
+// A grey scan once shut the eyes: its eyeballs look like the skin beside them.
+TEST(ColorFeatures, TrustNothingOnAScanOfOneColour) {
+    const PaintedFace face = painted_face();
+    const Sight grey(face, [](double, double) { return kSkin; });
+    for (const ColorAgreement& feature :
+         grey.agreements(face.model.template_mesh.vertices, face.normals))
+        EXPECT_EQ(feature.trust, 0) << feature.name;
+}
+
 }  // namespace
 }  // namespace mien

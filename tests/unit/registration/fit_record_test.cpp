@@ -34,6 +34,15 @@ FitRecord made() {
     fit.verdict.reasons = {"a scan of \"half\" a face", "zwölf"};
     fit.verdict.landmarks_rejected = {"gnathion"};
     fit.verdict.colors = {{"lips", 0.75}};
+    fit.verdict.colors_left_out = {"brow_left"};
+    fit.verdict.whole.size = 1.0 / 7;
+    fit.verdict.whole.no_colors = 1;
+    ZoneMeasures face;
+    face.name = "face";
+    face.stretch = 1.0 / 3;
+    face.landmarks = 5;
+    fit.verdict.zones = {face};
+    fit.verdict.expected = {{"face", 1.0 / 3, 0.1, 2, FitQuality::doubtful, FitMeasure::stretch}};
     fit.verdict.landmarks_used = 66;
     fit.verdict.may_slide = true;
     fit.unknown_landmarks = {"elbow"};
@@ -62,6 +71,8 @@ TEST(FitRecord, LosesNoBitOnItsWayThroughAFile) {
     EXPECT_EQ(read.fit.correspondence[2].triangle, 17u);
     EXPECT_EQ(read.fit.correspondence[2].barycentric, kept.fit.correspondence[2].barycentric);
     EXPECT_TRUE(read.fit.verdict.may_slide);
+    ASSERT_EQ(read.fit.verdict.expected.size(), 1u);
+    EXPECT_EQ(read.fit.verdict.expected[0].cause, FitMeasure::stretch);
     std::remove(path().c_str());
 }
 

@@ -133,13 +133,15 @@ TEST(Registration, FindsThePoseByItself) {
     EXPECT_LT(fit.residual_mm.cwiseAbs().mean(), 0.3);
 }
 
-TEST(Registration, DoubtsAFitThatNothingHoldsAlongTheSkin) {
+TEST(Registration, ExpectsALargerErrorWhereNothingHoldsAFitAlongTheSkin) {
     const SmallFace face = small_face();
-    const RegistrationResult alone =
-        register_scan(face.model, scan_of(face, Similarity()), {}, {}, {});
-    EXPECT_EQ(alone.verdict.quality, FitQuality::doubtful) << registration_json(alone);
-    ASSERT_FALSE(alone.verdict.reasons.empty());
-    EXPECT_NE(alone.verdict.reasons.back().find("slid"), std::string::npos);
+    const TriMesh scan = scan_of(face, Similarity());
+    const RegistrationResult held =
+        register_scan(face.model, scan, landmarks_of(face, Similarity()), {}, {});
+    const RegistrationResult alone = register_scan(face.model, scan, {}, {}, {});
+    ASSERT_FALSE(alone.verdict.expected.empty());
+    EXPECT_EQ(alone.verdict.expected[0].zone, "face");
+    EXPECT_GT(alone.verdict.expected[0].expected_mm, held.verdict.expected[0].expected_mm);
 }
 
 TEST(Registration, ReportsMonotoneProgressWithoutLandmarks) {

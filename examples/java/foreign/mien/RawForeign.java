@@ -560,6 +560,11 @@ final class RawForeign implements Raw {
         try { return (int) mien_registration_get_verdict.invokeExact(registration, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
     }
 
+    private final MethodHandle mien_registration_get_expected_error = library.find("mien_registration_get_expected_error", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_registration_get_expected_error(long registration, long zone, long out, long error) {
+        try { return (int) mien_registration_get_expected_error.invokeExact(registration, zone, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
     private final MethodHandle mien_registration_get_field = library.find("mien_registration_get_field", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
     @Override public int mien_registration_get_field(long registration, int field, long dst, long capacity, long count, long error) {
         try { return (int) mien_registration_get_field.invokeExact(registration, field, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }

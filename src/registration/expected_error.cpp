@@ -1,0 +1,163 @@
+#include "registration/expected_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace mien {
+namespace {
+
+// Linear between knots, constant outside.
+double value_at(const std::vector<double>& at, const std::vector<double>& value, double x) {
+    if (at.empty()) return 0;
+    if (!(x > at.front())) return value.front();
+    for (std::size_t k = 1; k < at.size(); ++k)
+        if (x < at[k])
+            return value[k - 1] + (value[k] - value[k - 1]) * (x - at[k - 1]) / (at[k] - at[k - 1]);
+    return value.back();
+}
+
+FitQuality quality_of(double expected_mm, double doubtful_mm, double failed_mm) {
+    if (!(expected_mm <= failed_mm)) return FitQuality::failed;
+    return expected_mm > doubtful_mm ? FitQuality::doubtful : FitQuality::good;
+}
+
+ExpectedError expect(const ErrorTable& table, const WholeMeasures& whole, const ZoneMeasures& zone,
+                     double face_mm) {
+    ExpectedError error;
+    error.zone = zone.name;
+    double logarithm = table.constant, most = -1;
+    for (const ErrorCurve& curve : table.curves) {
+        const double here =
+            value_at(curve.at, curve.value, measure_of(curve.measure, whole, zone, face_mm));
+        logarithm += here;
+        const double raised = here - value_at(curve.at, curve.value, curve.right);
+        if (raised > most && curve.measure != FitMeasure::face_mm)
+            most = raised, error.cause = curve.measure;
+    }
+    error.expected_mm = std::exp(logarithm);
+    error.low_mm =
+        error.expected_mm * std::exp(value_at(table.at_mm, table.low, error.expected_mm));
+    error.high_mm =
+        error.expected_mm * std::exp(value_at(table.at_mm, table.high, error.expected_mm));
+    return error;
+}
+
+const char* words_of(FitMeasure cause) {
+    switch (cause) {
+        case FitMeasure::unseen:
+            return "the scan does not show enough of it: scan the whole face, uncovered";
+        case FitMeasure::residual_mm:
+        case FitMeasure::open_mm:
+            return "the scan lies off the model's shape there: is something in front of the skin, "
+                   "or the face unlike those that the model knows? Landmarks would help";
+        case FitMeasure::turn:
+            return "its surface faces otherwise than the scan's: pick landmarks there";
+        case FitMeasure::deviation_mm:
+        case FitMeasure::is_free:
+        case FitMeasure::is_trained:
+        case FitMeasure::kernel_mm:
+            return "little tells where along the skin its places are: pick landmarks there, or use "
+                   "a trained model";
+        case FitMeasure::stretch:
+            return "it is stretched unlike a face: check the landmarks, or pick more";
+        case FitMeasure::landmark_mm:
+        case FitMeasure::landmark_misfit:
+        case FitMeasure::landmarks_out:
+            return "the landmarks and the surface disagree: check how they were picked, and the "
+                   "stated picking error";
+        case FitMeasure::search_miss:
+            return "no pose agrees well with a face: is this one, whole and in the right unit? "
+                   "Landmarks would tell";
+        case FitMeasure::color_miss:
+            return "brows or lips are not seen where the form has them: make-up, light, or a wrong "
+                   "fit; landmarks would tell";
+        case FitMeasure::no_colors:
+            return "no colours tell where brows and lips are: landmarks there would";
+        case FitMeasure::trained_deviation:
+        case FitMeasure::kernel_deviation:
+        case FitMeasure::size:
+            return "the shape is unlike those that the model knows: check the unit, the landmarks "
+                   "and the model";
+        case FitMeasure::folds:
+            return "triangles are folded over: check the landmarks and the scan";
+        case FitMeasure::face_mm:
+            return "the whole fit is doubtful";
+    }
+    return "";
+}
+
+}  // namespace
+
+double measure_of(FitMeasure measure, const WholeMeasures& whole, const ZoneMeasures& zone,
+                  double face_mm) {
+    switch (measure) {
+        case FitMeasure::unseen:
+            return zone.unseen;
+        case FitMeasure::residual_mm:
+            return zone.residual_mm;
+        case FitMeasure::open_mm:
+            return zone.open_mm;
+        case FitMeasure::turn:
+            return zone.turn;
+        case FitMeasure::deviation_mm:
+            return zone.deviation_mm;
+        case FitMeasure::stretch:
+            return zone.stretch;
+        case FitMeasure::landmark_mm:
+            return zone.landmark_mm;
+        case FitMeasure::search_miss:
+            return whole.search_miss;
+        case FitMeasure::landmark_misfit:
+            return whole.landmark_misfit;
+        case FitMeasure::landmarks_out:
+            return whole.landmarks_out;
+        case FitMeasure::color_miss:
+            return whole.color_miss;
+        case FitMeasure::trained_deviation:
+            return whole.trained_deviation;
+        case FitMeasure::kernel_deviation:
+            return whole.kernel_deviation;
+        case FitMeasure::kernel_mm:
+            return whole.kernel_mm;
+        case FitMeasure::size:
+            return whole.size;
+        case FitMeasure::folds:
+            return whole.folds;
+        case FitMeasure::is_free:
+            return whole.is_free;
+        case FitMeasure::is_trained:
+            return whole.is_trained;
+        case FitMeasure::no_colors:
+            return whole.no_colors;
+        case FitMeasure::face_mm:
+            return face_mm;
+    }
+    return 0;
+}
+
+std::vector<ExpectedError> expect_errors(const WholeMeasures& whole,
+                                         const std::vector<ZoneMeasures>& zones,
+                                         const ErrorTables& tables) {
+    std::vector<ExpectedError> errors;
+    for (const ZoneMeasures& zone : zones) {
+        const bool is_face = errors.empty();
+        const double face_mm = is_face ? 0 : errors.front().expected_mm;
+        errors.push_back(expect(is_face ? tables.face : tables.zone, whole, zone, face_mm));
+        errors.back().quality = is_face
+                                    ? quality_of(errors.back().expected_mm, tables.face_doubtful_mm,
+                                                 tables.face_failed_mm)
+                                    : quality_of(errors.back().expected_mm, tables.zone_doubtful_mm,
+                                                 tables.zone_failed_mm);
+    }
+    return errors;
+}
+
+std::string reason_of(const ExpectedError& error) {
+    char text[64];
+    std::snprintf(text, sizeof text, "about %.1f mm (%.1f to %.1f) off are expected of the ",
+                  error.expected_mm, error.low_mm, error.high_mm);
+    return text + error.zone + ": " + words_of(error.cause);
+}
+
+}  // namespace mien
