@@ -1,6 +1,6 @@
 """mien network on a network whose numbers are known, written by hand as the format says.
 
-  network_test.py MIEN WORK_FOLDER
+  network_test.py MIEN MIEN_DEMO_DATA WORK_FOLDER
 """
 import json
 import math
@@ -11,7 +11,7 @@ import sys
 import unittest
 from pathlib import Path
 
-MIEN, WORK = sys.argv[1], Path(sys.argv[2])
+MIEN, DEMO, WORK = sys.argv[1], sys.argv[2], Path(sys.argv[3])
 SIDE = 11
 
 
@@ -142,6 +142,20 @@ class Network(unittest.TestCase):
         self.assertLess(rows[1]["l1_mm"], rows[0]["l1_mm"])
         self.assertTrue(rows[1]["on_front"])
         self.assertTrue((WORK / "compare.png").read_bytes().startswith(b"\x89PNG"))
+
+    def test_demo_faces_that_are_not_linear_come_with_an_oracle(self):
+        done = subprocess.run([DEMO, "--nonlinear", "--out", WORK / "demo", "--subjects", "2", "--test-subjects", "2"],
+                              capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        oracle = json.loads((WORK / "demo" / "oracle.json").read_text())
+        self.assertIn(f"{oracle['neutral_l1_mm']:.4f} mm", done.stdout)
+        # What nobody can know is a tenth of a millimetre; what there is to know is millimetres.
+        for key in ("neutral_l1_mm", "expression_l1_mm"):
+            self.assertGreater(oracle[key], 0.005)
+            self.assertLess(oracle[key], 0.3)
+        raw = (WORK / "demo" / "train.safetensors").read_bytes()
+        header = json.loads(raw[8:8 + struct.unpack("<Q", raw[:8])[0]])
+        self.assertEqual(header["vertices"]["shape"][0], 40)
 
     def test_wrong_files_are_one_line(self):
         for text in ('{"code": [1, 2]}', '{"code": "x"}', '[]', '{"code": [1,2,3,4,5,6,7,8], "motion": [1]}'):
