@@ -2,12 +2,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "expression/expression_model.hpp"
 #include "expression/neutralize.hpp"
+#include "expression/treated_readings.hpp"
 #include "handle.hpp"
 #include "mesh.hpp"
 
@@ -28,6 +30,7 @@ struct mien_neutralization : mien::abi::Object {
     std::shared_ptr<const mien::TriMesh> face;  // what was neutralized
     mien_mesh* mesh = nullptr;  // a reference of its own, so that a host may keep the mesh longer
     mien::NeutralizationResult result;
+    std::optional<mien::TreatedReadings> readings;  // none without a treated zone
     std::string json;
 };
 

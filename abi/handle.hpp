@@ -34,6 +34,8 @@ enum class Tag : std::uint32_t {
     zones = 0x4D530031,
     study = 0x4D530013,
     network = 0x4D530014,
+    anthropometry = 0x4D530016,
+    norms = 0x4D530017,
 };
 
 /// Base of every object behind a handle. Never moved; freed by release().

@@ -4,6 +4,7 @@
 #include "arrays.hpp"
 #include "geometry/rigid_zone.hpp"
 #include "guard.hpp"
+#include "measure.hpp"
 #include "measure/area.hpp"
 #include "measure/lengths.hpp"
 #include "measure/measurement.hpp"
@@ -15,15 +16,6 @@
 
 using namespace mien;
 using namespace mien::abi;
-
-struct mien_measurement : Object {
-    static constexpr Tag kTag = Tag::measurement;
-    static constexpr const char* kName = "measurement";
-    explicit mien_measurement(Measurement&& result)
-        : Object(kTag), data(std::move(result)), json(measurement_json(data)) {}
-    const Measurement data;
-    const std::string json;
-};
 
 namespace {
 

@@ -36,7 +36,7 @@ mien_score_options default_score_options() {
 }
 
 ScoreOptions read_score_options(const mien_score_options& given, Index num_vertices) {
-    if (given.reserved != 0 || given.reserved2 != 0)
+    if (given.reserved != 0 || given.reserved2 != 0 || given.reserved3 != 0)
         fail(Status::unsupported_option, "options.reserved is not zero");
     check_choice(given.method, MIEN_PLS_NIPALS, MIEN_PLS_SIMPLS, "options.method");
     check_numbers({{"curvature_share", given.curvature_share},
@@ -45,6 +45,9 @@ ScoreOptions read_score_options(const mien_score_options& given, Index num_verti
                    {"highest", given.highest}});
     ScoreOptions options;
     options.method = given.method == MIEN_PLS_SIMPLS ? PlsMethod::simpls : PlsMethod::nipals;
+    check_choice(given.features, MIEN_SCORE_FEATURES_DISPLACEMENT_AND_CURVATURE,
+                 MIEN_SCORE_FEATURES_ALL, "options.features");
+    options.features = static_cast<ScoreFeatures>(given.features);
     options.num_components = given.num_components;
     options.max_components = given.max_components;
     options.folds = given.folds;

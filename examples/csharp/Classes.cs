@@ -84,38 +84,6 @@ namespace Mien
         U8 = 5,
     }
 
-    /// <summary>Mass matrices of the Laplacian.</summary>
-    public enum Mass
-    {
-        MixedVoronoi = 0,
-        Barycentric = 1,
-        /// <summary>bands then follow the triangulation's density; for comparison</summary>
-        None = 2,
-    }
-
-    /// <summary>What to do with negative cotangent weights.</summary>
-    public enum Cotangents
-    {
-        IntrinsicDelaunay = 0,
-        Clamp = 1,
-        Keep = 2,
-    }
-
-    /// <summary>Distances between two faces.</summary>
-    public enum Metric
-    {
-        /// <summary>mm: mean of |dx| + |dy| + |dz| over the vertices</summary>
-        L1 = 1,
-        /// <summary>mm: mean Euclidean distance over the vertices</summary>
-        L2 = 2,
-        /// <summary>mm: largest distance of a vertex from the other surface, both ways</summary>
-        Hausdorff = 3,
-        /// <summary>rad: change of the dihedral angles, masked, weighted with area</summary>
-        Dame = 4,
-        /// <summary>0 to 1: difference of the global roughness</summary>
-        Fmpd = 5,
-    }
-
     /// <summary>Kernels: what makes two vertices of the template move alike.</summary>
     public enum KernelKind
     {
@@ -149,6 +117,99 @@ namespace Mien
         NotPicked = 0,
         Place = 1,
         Vertex = 2,
+    }
+
+    /// <summary>Kinds of measurements.</summary>
+    public enum Measure
+    {
+        /// <summary>straight, mm</summary>
+        Length = 1,
+        /// <summary>along the skin, mm</summary>
+        SurfaceLength = 2,
+        /// <summary>degrees</summary>
+        Angle = 3,
+        /// <summary>signed, of one line against another, degrees</summary>
+        Inclination = 4,
+        /// <summary>percent</summary>
+        Proportion = 5,
+        /// <summary>signed distance from a line, mm</summary>
+        LineOffset = 6,
+    }
+
+    /// <summary>Places of the whole face and of what no zone covers, beside 0 .. zone_count - 1.</summary>
+    public enum ZoneKind
+    {
+        Whole = -1,
+        Rest = -2,
+    }
+
+    /// <summary>Fields with one value per vertex of the before face.</summary>
+    public enum Field
+    {
+        /// <summary>along the normal of the before face</summary>
+        SignedDistanceMm = 1,
+        /// <summary>length of the displacement or to the closest place</summary>
+        DistanceMm = 2,
+        PositiveVolumeMm3 = 3,
+        NegativeVolumeMm3 = 4,
+        /// <summary>1/mm, positive where the surface bulges outwards</summary>
+        CurvatureMaximal = 5,
+        /// <summary>1/mm</summary>
+        CurvatureMinimal = 6,
+        /// <summary>1/mm</summary>
+        CurvatureMean = 7,
+        /// <summary>1/mm^2</summary>
+        CurvatureGaussian = 8,
+    }
+
+    /// <summary>How vertices are carried onto a surface that is not in correspondence.</summary>
+    public enum Carry
+    {
+        ClosestPoint = 1,
+        /// <summary>along one direction: a height field's integral</summary>
+        Direction = 2,
+        VertexNormal = 3,
+    }
+
+    /// <summary>What the mirror plane of a face is found by.</summary>
+    public enum MirrorBy
+    {
+        /// <summary>all vertices and their partners, robustly</summary>
+        Surface = 0,
+        /// <summary>the landmarks and their partners alone</summary>
+        Landmarks = 1,
+    }
+
+    /// <summary>Mass matrices of the Laplacian.</summary>
+    public enum Mass
+    {
+        MixedVoronoi = 0,
+        Barycentric = 1,
+        /// <summary>bands then follow the triangulation's density; for comparison</summary>
+        None = 2,
+    }
+
+    /// <summary>What to do with negative cotangent weights.</summary>
+    public enum Cotangents
+    {
+        IntrinsicDelaunay = 0,
+        Clamp = 1,
+        Keep = 2,
+    }
+
+    /// <summary>Distances between two faces.</summary>
+    public enum Metric
+    {
+        /// <summary>mm: mean of |dx| + |dy| + |dz| over the vertices</summary>
+        L1 = 1,
+        /// <summary>mm: mean Euclidean distance over the vertices</summary>
+        L2 = 2,
+        /// <summary>mm: largest distance of a vertex from the other surface, both ways</summary>
+        Hausdorff = 3,
+        /// <summary>rad: change of the dihedral angles, masked, weighted with area</summary>
+        Dame = 4,
+        /// <summary>0 to 1: difference of the global roughness</summary>
+        Fmpd = 5,
     }
 
     /// <summary>How the number of deformation modes grows over the rounds (jousse-2022 2.5.2.2).</summary>
@@ -247,6 +308,15 @@ namespace Mien
         Rigid = 2,
     }
 
+    /// <summary>How a treated zone is read.</summary>
+    public enum Reading
+    {
+        /// <summary>the zone is no witness: what the result holds</summary>
+        Treated = 0,
+        /// <summary>all of the face is a witness</summary>
+        AsExpression = 1,
+    }
+
     /// <summary>Directions of a hierarchy's maps.</summary>
     public enum MapKind
     {
@@ -254,41 +324,6 @@ namespace Mien
         Down = 1,
         /// <summary>from this level to the next finer one</summary>
         Up = 2,
-    }
-
-    /// <summary>Places of the whole face and of what no zone covers, beside 0 .. zone_count - 1.</summary>
-    public enum ZoneKind
-    {
-        Whole = -1,
-        Rest = -2,
-    }
-
-    /// <summary>Fields with one value per vertex of the before face.</summary>
-    public enum Field
-    {
-        /// <summary>along the normal of the before face</summary>
-        SignedDistanceMm = 1,
-        /// <summary>length of the displacement or to the closest place</summary>
-        DistanceMm = 2,
-        PositiveVolumeMm3 = 3,
-        NegativeVolumeMm3 = 4,
-        /// <summary>1/mm, positive where the surface bulges outwards</summary>
-        CurvatureMaximal = 5,
-        /// <summary>1/mm</summary>
-        CurvatureMinimal = 6,
-        /// <summary>1/mm</summary>
-        CurvatureMean = 7,
-        /// <summary>1/mm^2</summary>
-        CurvatureGaussian = 8,
-    }
-
-    /// <summary>How vertices are carried onto a surface that is not in correspondence.</summary>
-    public enum Carry
-    {
-        ClosestPoint = 1,
-        /// <summary>along one direction: a height field's integral</summary>
-        Direction = 2,
-        VertexNormal = 3,
     }
 
     /// <summary>Representations.</summary>
@@ -307,6 +342,17 @@ namespace Mien
     {
         Nipals = 0,
         Simpls = 1,
+    }
+
+    /// <summary>What each vertex gives. jousse-2022 (B.2) has 17 numbers a vertex without naming them; ours are displacement
+    /// (3), change of the normal (3), k1, k2, mean and Gaussian curvature, curvedness, and the curvature tensor (6),
+    /// each of them an equal part of curvature_share.</summary>
+    public enum ScoreFeatures
+    {
+        /// <summary>displacement, k1, k2</summary>
+        DisplacementAndCurvature = 0,
+        /// <summary>all 17</summary>
+        All = 1,
     }
 
     /// <summary>Why a change has no deviation.</summary>
@@ -482,117 +528,6 @@ namespace Mien
             if (TriangleMaterials != null) call.Agree("triangle_materials", call.Rows(TriangleMaterials, 1, "triangle_materials"), (long)raw->triangleCount);
             raw->images = call.Records(Images, sizeof(Native.Image));
             raw->imageCount = (ulong)call.Rows(Images, 1, "images");
-        }
-    }
-
-    /// <summary>mien_spectral_basis_options of the C interface.</summary>
-    public sealed unsafe class SpectralBasisOptions : Record
-    {
-        /// <summary>With the library's defaults.</summary>
-        public SpectralBasisOptions()
-        {
-            var raw = default(Native.SpectralBasisOptions);
-            Functions.mien_spectral_basis_options_init((IntPtr)(&raw), (UIntPtr)sizeof(Native.SpectralBasisOptions));
-            ModeCount = raw.modeCount;
-            Mass = (Mass)raw.mass;
-            Cotangents = (Cotangents)raw.cotangents;
-        }
-
-        /// <summary>1 to #V - 1; default 500</summary>
-        public uint ModeCount { get; set; }
-        /// <summary>MIEN_MASS_...; default mixed Voronoi</summary>
-        public Mass Mass { get; set; }
-        /// <summary>MIEN_COTANGENTS_...; default intrinsic Delaunay</summary>
-        public Cotangents Cotangents { get; set; }
-
-        internal override void Fill(Call call, IntPtr at)
-        {
-            var raw = (Native.SpectralBasisOptions*)at;
-            Functions.mien_spectral_basis_options_init(at, (UIntPtr)sizeof(Native.SpectralBasisOptions));
-            raw->modeCount = ModeCount;
-            raw->mass = (int)Mass;
-            raw->cotangents = (int)Cotangents;
-        }
-
-        internal IntPtr Write(Call call, IProgress<Progress> progress, CancellationToken cancellationToken)
-        {
-            var at = call.Room(sizeof(Native.SpectralBasisOptions));
-            Fill(call, at);
-            var raw = (Native.SpectralBasisOptions*)at;
-            raw->progress = call.ProgressFunction(progress);
-            raw->progressUser = call.ProgressUser;
-            raw->cancel = call.CancelToken(cancellationToken);
-            return at;
-        }
-    }
-
-    /// <summary>mien_blendshape_options of the C interface.</summary>
-    public sealed unsafe class BlendshapeOptions : Record
-    {
-        /// <summary>With the library's defaults.</summary>
-        public BlendshapeOptions()
-        {
-            var raw = default(Native.BlendshapeOptions);
-            Functions.mien_blendshape_options_init((IntPtr)(&raw), (UIntPtr)sizeof(Native.BlendshapeOptions));
-            Ridge = raw.ridge;
-        }
-
-        /// <summary>of the kernel's mean diagonal; default 0: by leave-one-out error</summary>
-        public double Ridge { get; set; }
-
-        internal override void Fill(Call call, IntPtr at)
-        {
-            var raw = (Native.BlendshapeOptions*)at;
-            Functions.mien_blendshape_options_init(at, (UIntPtr)sizeof(Native.BlendshapeOptions));
-            raw->ridge = Ridge;
-        }
-
-        internal IntPtr Write(Call call, IProgress<Progress> progress, CancellationToken cancellationToken)
-        {
-            var at = call.Room(sizeof(Native.BlendshapeOptions));
-            Fill(call, at);
-            var raw = (Native.BlendshapeOptions*)at;
-            raw->progress = call.ProgressFunction(progress);
-            raw->progressUser = call.ProgressUser;
-            raw->cancel = call.CancelToken(cancellationToken);
-            return at;
-        }
-    }
-
-    /// <summary>One tried k of mien_blendshape_model_search().</summary>
-    public sealed unsafe class BandChoice : Record
-    {
-        public ulong K { get; set; }
-        public double L1Mm { get; set; }
-        public double Dame { get; set; }
-        public double Fmpd { get; set; }
-        /// <summary>1: no other k is better in both L1 and FMPD</summary>
-        public int OnFront { get; set; }
-        /// <summary>1: the front's knee</summary>
-        public int Chosen { get; set; }
-
-        internal override void Fill(Call call, IntPtr at)
-        {
-            var raw = (Native.BandChoice*)at;
-            raw->k = K;
-            raw->l1Mm = L1Mm;
-            raw->dame = Dame;
-            raw->fmpd = Fmpd;
-            raw->onFront = OnFront;
-            raw->chosen = Chosen;
-        }
-
-        internal static BandChoice Read(Call call, IntPtr at)
-        {
-            var raw = (Native.BandChoice*)at;
-            var made = new BandChoice();
-            made.K = raw->k;
-            made.L1Mm = raw->l1Mm;
-            made.Dame = raw->dame;
-            made.Fmpd = raw->fmpd;
-            made.OnFront = raw->onFront;
-            made.Chosen = raw->chosen;
-            return made;
         }
     }
 
@@ -862,6 +797,461 @@ namespace Mien
         }
     }
 
+    /// <summary>mien_anthropometry_options of the C interface.</summary>
+    public sealed unsafe class AnthropometryOptions : Record
+    {
+        /// <summary>With the library's defaults.</summary>
+        public AnthropometryOptions()
+        {
+            var raw = default(Native.AnthropometryOptions);
+            Functions.mien_anthropometry_options_init((IntPtr)(&raw), (UIntPtr)sizeof(Native.AnthropometryOptions));
+            SlideCorrelationMm = raw.slideCorrelationMm;
+            NormalCorrelationMm = raw.normalCorrelationMm;
+        }
+
+        /// <summary>#V, mm: deviation of each vertex' place per axis, as MIEN_REGISTRATION_STANDARD_DEVIATION_MM tells it; count 0:
+        /// not known, and no deviation</summary>
+        public Values PlaceSd { get; set; }
+        /// <summary>#V, mm: along the normal, as MIEN_REGISTRATION_NORMAL_DEVIATION_MM tells it; count 0: as place_sd</summary>
+        public Values NormalSd { get; set; }
+        /// <summary>over which a template slides together along the skin; default 15</summary>
+        public double SlideCorrelationMm { get; set; }
+        /// <summary>over which it errs together across the skin; default 4</summary>
+        public double NormalCorrelationMm { get; set; }
+        /// <summary>may be left out: no z-scores</summary>
+        public Norms Norms { get; set; }
+
+        internal override void Fill(Call call, IntPtr at)
+        {
+            var raw = (Native.AnthropometryOptions*)at;
+            Functions.mien_anthropometry_options_init(at, (UIntPtr)sizeof(Native.AnthropometryOptions));
+            raw->placeSd = call.Matrix(PlaceSd, 1, "place_sd");
+            raw->normalSd = call.Matrix(NormalSd, 1, "normal_sd");
+            raw->slideCorrelationMm = SlideCorrelationMm;
+            raw->normalCorrelationMm = NormalCorrelationMm;
+            raw->norms = call.UseOrNull(Norms);
+        }
+
+        internal IntPtr Write(Call call, IProgress<Progress> progress, CancellationToken cancellationToken)
+        {
+            var at = call.Room(sizeof(Native.AnthropometryOptions));
+            Fill(call, at);
+            var raw = (Native.AnthropometryOptions*)at;
+            raw->progress = call.ProgressFunction(progress);
+            raw->progressUser = call.ProgressUser;
+            raw->cancel = call.CancelToken(cancellationToken);
+            return at;
+        }
+    }
+
+    /// <summary>One measurement of a face. NaN where a number is not known.</summary>
+    public sealed unsafe class AnthropometricValue
+    {
+        /// <summary>MIEN_MEASURE_*</summary>
+        public Measure Kind { get; internal set; }
+        /// <summary>NaN: mien_anthropometry_get_reason() says why</summary>
+        public double Value { get; internal set; }
+        /// <summary>of the value, by the errors of the landmarks' places</summary>
+        public double Sd { get; internal set; }
+        /// <summary>(value - norm_mean) / norm_sd</summary>
+        public double Z { get; internal set; }
+        /// <summary>sd / norm_sd</summary>
+        public double ZSd { get; internal set; }
+        /// <summary>over the people of the norms</summary>
+        public double NormMean { get; internal set; }
+        public double NormSd { get; internal set; }
+        /// <summary>0: no norm</summary>
+        public ulong NormPeople { get; internal set; }
+
+        internal static AnthropometricValue Read(Call call, IntPtr at)
+        {
+            var raw = (Native.AnthropometricValue*)at;
+            var made = new AnthropometricValue();
+            made.Kind = (Measure)raw->kind;
+            made.Value = raw->value;
+            made.Sd = raw->sd;
+            made.Z = raw->z;
+            made.ZSd = raw->zSd;
+            made.NormMean = raw->normMean;
+            made.NormSd = raw->normSd;
+            made.NormPeople = raw->normPeople;
+            return made;
+        }
+    }
+
+    /// <summary>mien_measure_options of the C interface.</summary>
+    public sealed unsafe class MeasureOptions : Record
+    {
+        /// <summary>With the library's defaults.</summary>
+        public MeasureOptions()
+        {
+            var raw = default(Native.MeasureOptions);
+            Functions.mien_measure_options_init((IntPtr)(&raw), (UIntPtr)sizeof(Native.MeasureOptions));
+            SkipBorders = raw.skipBorders;
+            CorrelationLengthMm = raw.correlationLengthMm;
+            AlignmentRotationSdRad = raw.alignmentRotationSdRad;
+            AlignmentTranslationSdMm = raw.alignmentTranslationSdMm;
+            AlignmentCentre = Call.CopyOut(raw.alignmentCentre, 3);
+            CommonBiasMm = raw.commonBiasMm;
+            LimitOfDetectionMl = raw.limitOfDetectionMl;
+            MaxDistanceMm = raw.maxDistanceMm;
+        }
+
+        /// <summary>surfaces not in correspondence: 1 (default) leaves out places whose partner lies on an open border, where
+        /// nothing is known</summary>
+        public int SkipBorders { get; set; }
+        /// <summary>zone_count zones; null: the whole face only</summary>
+        public IReadOnlyList<Zone> Zones { get; set; }
+        /// <summary>#V, mm: deviation of each vertex along the normal, as MIEN_REGISTRATION_NORMAL_DEVIATION_MM tells it; count 0:
+        /// exact. Without that of either face there is no interval (since 0.2), whatever the alignment's</summary>
+        public Values BeforeSd { get; set; }
+        public Values AfterSd { get; set; }
+        /// <summary>over which errors of a surface go together; default 4, in 0.1: 10</summary>
+        public double CorrelationLengthMm { get; set; }
+        /// <summary>of the after face against the before face; default 0</summary>
+        public double AlignmentRotationSdRad { get; set; }
+        /// <summary>default 0</summary>
+        public double AlignmentTranslationSdMm { get; set; }
+        /// <summary>mm; what the alignment turns about, e.g. the stable zone's centre</summary>
+        public double[] AlignmentCentre { get; set; }
+        /// <summary>error common to all vertices; default 0</summary>
+        public double CommonBiasMm { get; set; }
+        /// <summary>smaller changes are marked as below it; default 0: unknown</summary>
+        public double LimitOfDetectionMl { get; set; }
+        /// <summary>surfaces not in correspondence: farther partners are none; default 0: no limit</summary>
+        public double MaxDistanceMm { get; set; }
+
+        internal override void Fill(Call call, IntPtr at)
+        {
+            var raw = (Native.MeasureOptions*)at;
+            Functions.mien_measure_options_init(at, (UIntPtr)sizeof(Native.MeasureOptions));
+            raw->skipBorders = SkipBorders;
+            raw->beforeSd = call.Matrix(BeforeSd, 1, "before_sd");
+            raw->afterSd = call.Matrix(AfterSd, 1, "after_sd");
+            raw->correlationLengthMm = CorrelationLengthMm;
+            raw->alignmentRotationSdRad = AlignmentRotationSdRad;
+            raw->alignmentTranslationSdMm = AlignmentTranslationSdMm;
+            raw->commonBiasMm = CommonBiasMm;
+            raw->limitOfDetectionMl = LimitOfDetectionMl;
+            raw->maxDistanceMm = MaxDistanceMm;
+            raw->zones = call.Records(Zones, sizeof(Native.Zone));
+            raw->zoneCount = (ulong)call.Rows(Zones, 1, "zones");
+            Call.CopyIn(AlignmentCentre, raw->alignmentCentre, 3, "alignment_centre");
+        }
+
+        internal IntPtr Write(Call call, IProgress<Progress> progress, CancellationToken cancellationToken)
+        {
+            var at = call.Room(sizeof(Native.MeasureOptions));
+            Fill(call, at);
+            var raw = (Native.MeasureOptions*)at;
+            raw->progress = call.ProgressFunction(progress);
+            raw->progressUser = call.ProgressUser;
+            raw->cancel = call.CancelToken(cancellationToken);
+            return at;
+        }
+    }
+
+    /// <summary>Volume of one zone, mL. signed = positive + negative, absolute = positive - negative; positive: the after face
+    /// lies outside. NaN where a number is not known.</summary>
+    public sealed unsafe class ZoneVolume
+    {
+        /// <summary>1: |signed| reaches the limit of detection, 0: below it, -1: no limit given</summary>
+        public int Detected { get; internal set; }
+        public double SignedMl { get; internal set; }
+        /// <summary>&gt;= 0</summary>
+        public double PositiveMl { get; internal set; }
+        /// <summary>&lt;= 0</summary>
+        public double NegativeMl { get; internal set; }
+        public double AbsoluteMl { get; internal set; }
+        /// <summary>of signed_ml; NaN when no deviation was given</summary>
+        public double SdMl { get; internal set; }
+        /// <summary>95 % interval of signed_ml</summary>
+        public double Low95Ml { get; internal set; }
+        public double High95Ml { get; internal set; }
+        public double AreaBeforeMm2 { get; internal set; }
+        /// <summary>NaN for surfaces not in correspondence</summary>
+        public double AreaAfterMm2 { get; internal set; }
+
+        internal static ZoneVolume Read(Call call, IntPtr at)
+        {
+            var raw = (Native.ZoneVolume*)at;
+            var made = new ZoneVolume();
+            made.Detected = raw->detected;
+            made.SignedMl = raw->signedMl;
+            made.PositiveMl = raw->positiveMl;
+            made.NegativeMl = raw->negativeMl;
+            made.AbsoluteMl = raw->absoluteMl;
+            made.SdMl = raw->sdMl;
+            made.Low95Ml = raw->low95Ml;
+            made.High95Ml = raw->high95Ml;
+            made.AreaBeforeMm2 = raw->areaBeforeMm2;
+            made.AreaAfterMm2 = raw->areaAfterMm2;
+            return made;
+        }
+    }
+
+    /// <summary>Distances of one zone, mm, weighted with area.</summary>
+    public sealed unsafe class ZoneDistance
+    {
+        /// <summary>along the normal of the before face; positive: outside</summary>
+        public double MeanSignedMm { get; internal set; }
+        public double SdSignedMm { get; internal set; }
+        /// <summary>of the signed ones</summary>
+        public double MeanAbsoluteMm { get; internal set; }
+        /// <summary>of the lengths</summary>
+        public double RmsMm { get; internal set; }
+        public double MeanLengthMm { get; internal set; }
+        public double MedianLengthMm { get; internal set; }
+        public double P95LengthMm { get; internal set; }
+        public double MaxLengthMm { get; internal set; }
+        /// <summary>vertices that had a partner</summary>
+        public ulong VertexCount { get; internal set; }
+
+        internal static ZoneDistance Read(Call call, IntPtr at)
+        {
+            var raw = (Native.ZoneDistance*)at;
+            var made = new ZoneDistance();
+            made.MeanSignedMm = raw->meanSignedMm;
+            made.SdSignedMm = raw->sdSignedMm;
+            made.MeanAbsoluteMm = raw->meanAbsoluteMm;
+            made.RmsMm = raw->rmsMm;
+            made.MeanLengthMm = raw->meanLengthMm;
+            made.MedianLengthMm = raw->medianLengthMm;
+            made.P95LengthMm = raw->p95LengthMm;
+            made.MaxLengthMm = raw->maxLengthMm;
+            made.VertexCount = raw->vertexCount;
+            return made;
+        }
+    }
+
+    /// <summary>A rigid alignment on a stable zone and how sure it is.</summary>
+    public sealed unsafe class ZoneAlignment
+    {
+        /// <summary>that counted</summary>
+        public ulong Pairs { get; internal set; }
+        /// <summary>left over along the normals</summary>
+        public double RmsMm { get; internal set; }
+        /// <summary>about the centre, root mean square over the axes</summary>
+        public double RotationSdRad { get; internal set; }
+        /// <summary>per axis, root mean square</summary>
+        public double TranslationSdMm { get; internal set; }
+        /// <summary>of the zone on the target</summary>
+        public double[] Centre { get; internal set; }
+        /// <summary>4 x 4 row by row, moving to target</summary>
+        public double[] Matrix { get; internal set; }
+
+        internal static ZoneAlignment Read(Call call, IntPtr at)
+        {
+            var raw = (Native.ZoneAlignment*)at;
+            var made = new ZoneAlignment();
+            made.Pairs = raw->pairs;
+            made.RmsMm = raw->rmsMm;
+            made.RotationSdRad = raw->rotationSdRad;
+            made.TranslationSdMm = raw->translationSdMm;
+            made.Centre = Call.CopyOut(raw->centre, 3);
+            made.Matrix = Call.CopyOut(raw->matrix, 16);
+            return made;
+        }
+    }
+
+    /// <summary>mien_asymmetry_options of the C interface.</summary>
+    public sealed unsafe class AsymmetryOptions : Record
+    {
+        /// <summary>With the library's defaults.</summary>
+        public AsymmetryOptions()
+        {
+            var raw = default(Native.AsymmetryOptions);
+            Functions.mien_asymmetry_options_init((IntPtr)(&raw), (UIntPtr)sizeof(Native.AsymmetryOptions));
+            Plane = (MirrorBy)raw.plane;
+            CorrelationLengthMm = raw.correlationLengthMm;
+        }
+
+        /// <summary>MIEN_MIRROR_BY_*; default by the surface</summary>
+        public MirrorBy Plane { get; set; }
+        /// <summary>zone_count zones of either side; null: the whole side only</summary>
+        public IReadOnlyList<Zone> Zones { get; set; }
+        /// <summary>of the template, vertices; may be left out unless the plane is found by them</summary>
+        public Landmarks Landmarks { get; set; }
+        /// <summary>#V, mm: deviation of each vertex along the normal, as MIEN_REGISTRATION_NORMAL_DEVIATION_MM tells it; count 0:
+        /// not known, and no interval</summary>
+        public Values NormalSd { get; set; }
+        /// <summary>over which errors of the surface go together; default 4</summary>
+        public double CorrelationLengthMm { get; set; }
+
+        internal override void Fill(Call call, IntPtr at)
+        {
+            var raw = (Native.AsymmetryOptions*)at;
+            Functions.mien_asymmetry_options_init(at, (UIntPtr)sizeof(Native.AsymmetryOptions));
+            raw->plane = (int)Plane;
+            raw->normalSd = call.Matrix(NormalSd, 1, "normal_sd");
+            raw->correlationLengthMm = CorrelationLengthMm;
+            raw->zones = call.Records(Zones, sizeof(Native.Zone));
+            raw->zoneCount = (ulong)call.Rows(Zones, 1, "zones");
+            raw->landmarks = call.UseOrNull(Landmarks);
+        }
+
+        internal IntPtr Write(Call call, IProgress<Progress> progress, CancellationToken cancellationToken)
+        {
+            var at = call.Room(sizeof(Native.AsymmetryOptions));
+            Fill(call, at);
+            var raw = (Native.AsymmetryOptions*)at;
+            raw->progress = call.ProgressFunction(progress);
+            raw->progressUser = call.ProgressUser;
+            raw->cancel = call.CancelToken(cancellationToken);
+            return at;
+        }
+    }
+
+    /// <summary>The plane between left and right. NaN where a number is not known.</summary>
+    public sealed unsafe class MirrorPlane
+    {
+        /// <summary>MIEN_MIRROR_BY_*</summary>
+        public MirrorBy By { get; internal set; }
+        /// <summary>of partners that counted</summary>
+        public ulong Pairs { get; internal set; }
+        /// <summary>unit, to the subject's left</summary>
+        public double[] Normal { get; internal set; }
+        /// <summary>mm, in the plane</summary>
+        public double[] Centre { get; internal set; }
+        /// <summary>of the distances between a side and the other's reflection</summary>
+        public double RmsMm { get; internal set; }
+        /// <summary>about either direction of the plane, root mean square</summary>
+        public double TiltSdRad { get; internal set; }
+        /// <summary>along the normal</summary>
+        public double OffsetSdMm { get; internal set; }
+        /// <summary>angle to the plane found the other way; NaN without landmarks</summary>
+        public double BetweenRad { get; internal set; }
+        /// <summary>of that plane from the centre, along its normal</summary>
+        public double ApartMm { get; internal set; }
+
+        internal static MirrorPlane Read(Call call, IntPtr at)
+        {
+            var raw = (Native.MirrorPlane*)at;
+            var made = new MirrorPlane();
+            made.By = (MirrorBy)raw->by;
+            made.Pairs = raw->pairs;
+            made.Normal = Call.CopyOut(raw->normal, 3);
+            made.Centre = Call.CopyOut(raw->centre, 3);
+            made.RmsMm = raw->rmsMm;
+            made.TiltSdRad = raw->tiltSdRad;
+            made.OffsetSdMm = raw->offsetSdMm;
+            made.BetweenRad = raw->betweenRad;
+            made.ApartMm = raw->apartMm;
+            return made;
+        }
+    }
+
+    /// <summary>mien_spectral_basis_options of the C interface.</summary>
+    public sealed unsafe class SpectralBasisOptions : Record
+    {
+        /// <summary>With the library's defaults.</summary>
+        public SpectralBasisOptions()
+        {
+            var raw = default(Native.SpectralBasisOptions);
+            Functions.mien_spectral_basis_options_init((IntPtr)(&raw), (UIntPtr)sizeof(Native.SpectralBasisOptions));
+            ModeCount = raw.modeCount;
+            Mass = (Mass)raw.mass;
+            Cotangents = (Cotangents)raw.cotangents;
+        }
+
+        /// <summary>1 to #V - 1; default 500</summary>
+        public uint ModeCount { get; set; }
+        /// <summary>MIEN_MASS_...; default mixed Voronoi</summary>
+        public Mass Mass { get; set; }
+        /// <summary>MIEN_COTANGENTS_...; default intrinsic Delaunay</summary>
+        public Cotangents Cotangents { get; set; }
+
+        internal override void Fill(Call call, IntPtr at)
+        {
+            var raw = (Native.SpectralBasisOptions*)at;
+            Functions.mien_spectral_basis_options_init(at, (UIntPtr)sizeof(Native.SpectralBasisOptions));
+            raw->modeCount = ModeCount;
+            raw->mass = (int)Mass;
+            raw->cotangents = (int)Cotangents;
+        }
+
+        internal IntPtr Write(Call call, IProgress<Progress> progress, CancellationToken cancellationToken)
+        {
+            var at = call.Room(sizeof(Native.SpectralBasisOptions));
+            Fill(call, at);
+            var raw = (Native.SpectralBasisOptions*)at;
+            raw->progress = call.ProgressFunction(progress);
+            raw->progressUser = call.ProgressUser;
+            raw->cancel = call.CancelToken(cancellationToken);
+            return at;
+        }
+    }
+
+    /// <summary>mien_blendshape_options of the C interface.</summary>
+    public sealed unsafe class BlendshapeOptions : Record
+    {
+        /// <summary>With the library's defaults.</summary>
+        public BlendshapeOptions()
+        {
+            var raw = default(Native.BlendshapeOptions);
+            Functions.mien_blendshape_options_init((IntPtr)(&raw), (UIntPtr)sizeof(Native.BlendshapeOptions));
+            Ridge = raw.ridge;
+        }
+
+        /// <summary>of the kernel's mean diagonal; default 0: by leave-one-out error</summary>
+        public double Ridge { get; set; }
+
+        internal override void Fill(Call call, IntPtr at)
+        {
+            var raw = (Native.BlendshapeOptions*)at;
+            Functions.mien_blendshape_options_init(at, (UIntPtr)sizeof(Native.BlendshapeOptions));
+            raw->ridge = Ridge;
+        }
+
+        internal IntPtr Write(Call call, IProgress<Progress> progress, CancellationToken cancellationToken)
+        {
+            var at = call.Room(sizeof(Native.BlendshapeOptions));
+            Fill(call, at);
+            var raw = (Native.BlendshapeOptions*)at;
+            raw->progress = call.ProgressFunction(progress);
+            raw->progressUser = call.ProgressUser;
+            raw->cancel = call.CancelToken(cancellationToken);
+            return at;
+        }
+    }
+
+    /// <summary>One tried k of mien_blendshape_model_search().</summary>
+    public sealed unsafe class BandChoice : Record
+    {
+        public ulong K { get; set; }
+        public double L1Mm { get; set; }
+        public double Dame { get; set; }
+        public double Fmpd { get; set; }
+        /// <summary>1: no other k is better in both L1 and FMPD</summary>
+        public int OnFront { get; set; }
+        /// <summary>1: the front's knee</summary>
+        public int Chosen { get; set; }
+
+        internal override void Fill(Call call, IntPtr at)
+        {
+            var raw = (Native.BandChoice*)at;
+            raw->k = K;
+            raw->l1Mm = L1Mm;
+            raw->dame = Dame;
+            raw->fmpd = Fmpd;
+            raw->onFront = OnFront;
+            raw->chosen = Chosen;
+        }
+
+        internal static BandChoice Read(Call call, IntPtr at)
+        {
+            var raw = (Native.BandChoice*)at;
+            var made = new BandChoice();
+            made.K = raw->k;
+            made.L1Mm = raw->l1Mm;
+            made.Dame = raw->dame;
+            made.Fmpd = raw->fmpd;
+            made.OnFront = raw->onFront;
+            made.Chosen = raw->chosen;
+            return made;
+        }
+    }
+
     /// <summary>mien_register_options of the C interface.</summary>
     public sealed unsafe class RegisterOptions : Record
     {
@@ -1062,6 +1452,7 @@ namespace Mien
             ToleranceMm = raw.toleranceMm;
             NoiseMm2 = raw.noiseMm2;
             DecayMm = raw.decayMm;
+            TreatedMarginMm = raw.treatedMarginMm;
         }
 
         /// <summary>MIEN_FIT_..., default MIEN_FIT_MIXTURE</summary>
@@ -1080,6 +1471,11 @@ namespace Mien
         public double DecayMm { get; set; }
         /// <summary>#V x 1, &gt;= 0: 0 where the scan had no data; count 0: all one</summary>
         public Values Weights { get; set; }
+        /// <summary>treated_count vertices where the person may have been changed: no witness of expression or pose, so that filler
+        /// in a lip stays on the face and is not taken for a rolled lip; null: none. Since 0.2</summary>
+        public uint[] Treated { get; set; }
+        /// <summary>around them, no witness either; treatments spread; 0 to 100, default 10</summary>
+        public double TreatedMarginMm { get; set; }
 
         internal override void Fill(Call call, IntPtr at)
         {
@@ -1093,6 +1489,9 @@ namespace Mien
             raw->noiseMm2 = NoiseMm2;
             raw->decayMm = DecayMm;
             raw->weights = call.Matrix(Weights, 1, "weights");
+            raw->treatedMarginMm = TreatedMarginMm;
+            raw->treated = call.Array(Treated);
+            raw->treatedCount = (ulong)call.Rows(Treated, 1, "treated");
         }
 
         internal IntPtr Write(Call call, IProgress<Progress> progress, CancellationToken cancellationToken)
@@ -1104,6 +1503,30 @@ namespace Mien
             raw->progressUser = call.ProgressUser;
             raw->cancel = call.CancelToken(cancellationToken);
             return at;
+        }
+    }
+
+    /// <summary>What a reading takes off inside the treated zone (without its margin).</summary>
+    public sealed unsafe class ZoneReading
+    {
+        /// <summary>1: the two readings see another expression and another volume</summary>
+        public int Differ { get; internal set; }
+        /// <summary>of the likeliest expression, which the JSON names</summary>
+        public double Probability { get; internal set; }
+        /// <summary>root mean square over the zone</summary>
+        public double RemovedMm { get; internal set; }
+        /// <summary>by which the zone stood out through the expression, to first order</summary>
+        public double RemovedMl { get; internal set; }
+
+        internal static ZoneReading Read(Call call, IntPtr at)
+        {
+            var raw = (Native.ZoneReading*)at;
+            var made = new ZoneReading();
+            made.Differ = raw->differ;
+            made.Probability = raw->probability;
+            made.RemovedMm = raw->removedMm;
+            made.RemovedMl = raw->removedMl;
+            return made;
         }
     }
 
@@ -1135,6 +1558,8 @@ namespace Mien
         public uint[] ZoneVertices { get; set; }
         /// <summary>align every face rigidly to its target on these first; null: not</summary>
         public uint[] StableVertices { get; set; }
+        /// <summary>absolute volumes to the neutral face are measured in these, too; null: none. Since 0.2</summary>
+        public IReadOnlyList<Zone> VolumeZones { get; set; }
 
         internal override void Fill(Call call, IntPtr at)
         {
@@ -1149,6 +1574,8 @@ namespace Mien
             raw->zoneCount = (ulong)call.Rows(ZoneVertices, 1, "zone_vertices");
             raw->stableVertices = call.Array(StableVertices);
             raw->stableCount = (ulong)call.Rows(StableVertices, 1, "stable_vertices");
+            raw->volumeZones = call.Records(VolumeZones, sizeof(Native.Zone));
+            raw->volumeZoneCount = (ulong)call.Rows(VolumeZones, 1, "volume_zones");
         }
 
         internal IntPtr Write(Call call, IProgress<Progress> progress, CancellationToken cancellationToken)
@@ -1160,181 +1587,6 @@ namespace Mien
             raw->progressUser = call.ProgressUser;
             raw->cancel = call.CancelToken(cancellationToken);
             return at;
-        }
-    }
-
-    /// <summary>mien_measure_options of the C interface.</summary>
-    public sealed unsafe class MeasureOptions : Record
-    {
-        /// <summary>With the library's defaults.</summary>
-        public MeasureOptions()
-        {
-            var raw = default(Native.MeasureOptions);
-            Functions.mien_measure_options_init((IntPtr)(&raw), (UIntPtr)sizeof(Native.MeasureOptions));
-            SkipBorders = raw.skipBorders;
-            CorrelationLengthMm = raw.correlationLengthMm;
-            AlignmentRotationSdRad = raw.alignmentRotationSdRad;
-            AlignmentTranslationSdMm = raw.alignmentTranslationSdMm;
-            AlignmentCentre = Call.CopyOut(raw.alignmentCentre, 3);
-            CommonBiasMm = raw.commonBiasMm;
-            LimitOfDetectionMl = raw.limitOfDetectionMl;
-            MaxDistanceMm = raw.maxDistanceMm;
-        }
-
-        /// <summary>surfaces not in correspondence: 1 (default) leaves out places whose partner lies on an open border, where
-        /// nothing is known</summary>
-        public int SkipBorders { get; set; }
-        /// <summary>zone_count zones; null: the whole face only</summary>
-        public IReadOnlyList<Zone> Zones { get; set; }
-        /// <summary>#V, mm: deviation of each vertex along the normal, as MIEN_REGISTRATION_NORMAL_DEVIATION_MM tells it; count 0:
-        /// exact. Without that of either face there is no interval (since 0.2), whatever the alignment's</summary>
-        public Values BeforeSd { get; set; }
-        public Values AfterSd { get; set; }
-        /// <summary>over which errors of a surface go together; default 4, in 0.1: 10</summary>
-        public double CorrelationLengthMm { get; set; }
-        /// <summary>of the after face against the before face; default 0</summary>
-        public double AlignmentRotationSdRad { get; set; }
-        /// <summary>default 0</summary>
-        public double AlignmentTranslationSdMm { get; set; }
-        /// <summary>mm; what the alignment turns about, e.g. the stable zone's centre</summary>
-        public double[] AlignmentCentre { get; set; }
-        /// <summary>error common to all vertices; default 0</summary>
-        public double CommonBiasMm { get; set; }
-        /// <summary>smaller changes are marked as below it; default 0: unknown</summary>
-        public double LimitOfDetectionMl { get; set; }
-        /// <summary>surfaces not in correspondence: farther partners are none; default 0: no limit</summary>
-        public double MaxDistanceMm { get; set; }
-
-        internal override void Fill(Call call, IntPtr at)
-        {
-            var raw = (Native.MeasureOptions*)at;
-            Functions.mien_measure_options_init(at, (UIntPtr)sizeof(Native.MeasureOptions));
-            raw->skipBorders = SkipBorders;
-            raw->beforeSd = call.Matrix(BeforeSd, 1, "before_sd");
-            raw->afterSd = call.Matrix(AfterSd, 1, "after_sd");
-            raw->correlationLengthMm = CorrelationLengthMm;
-            raw->alignmentRotationSdRad = AlignmentRotationSdRad;
-            raw->alignmentTranslationSdMm = AlignmentTranslationSdMm;
-            raw->commonBiasMm = CommonBiasMm;
-            raw->limitOfDetectionMl = LimitOfDetectionMl;
-            raw->maxDistanceMm = MaxDistanceMm;
-            raw->zones = call.Records(Zones, sizeof(Native.Zone));
-            raw->zoneCount = (ulong)call.Rows(Zones, 1, "zones");
-            Call.CopyIn(AlignmentCentre, raw->alignmentCentre, 3, "alignment_centre");
-        }
-
-        internal IntPtr Write(Call call, IProgress<Progress> progress, CancellationToken cancellationToken)
-        {
-            var at = call.Room(sizeof(Native.MeasureOptions));
-            Fill(call, at);
-            var raw = (Native.MeasureOptions*)at;
-            raw->progress = call.ProgressFunction(progress);
-            raw->progressUser = call.ProgressUser;
-            raw->cancel = call.CancelToken(cancellationToken);
-            return at;
-        }
-    }
-
-    /// <summary>Volume of one zone, mL. signed = positive + negative, absolute = positive - negative; positive: the after face
-    /// lies outside. NaN where a number is not known.</summary>
-    public sealed unsafe class ZoneVolume
-    {
-        /// <summary>1: |signed| reaches the limit of detection, 0: below it, -1: no limit given</summary>
-        public int Detected { get; internal set; }
-        public double SignedMl { get; internal set; }
-        /// <summary>&gt;= 0</summary>
-        public double PositiveMl { get; internal set; }
-        /// <summary>&lt;= 0</summary>
-        public double NegativeMl { get; internal set; }
-        public double AbsoluteMl { get; internal set; }
-        /// <summary>of signed_ml; NaN when no deviation was given</summary>
-        public double SdMl { get; internal set; }
-        /// <summary>95 % interval of signed_ml</summary>
-        public double Low95Ml { get; internal set; }
-        public double High95Ml { get; internal set; }
-        public double AreaBeforeMm2 { get; internal set; }
-        /// <summary>NaN for surfaces not in correspondence</summary>
-        public double AreaAfterMm2 { get; internal set; }
-
-        internal static ZoneVolume Read(Call call, IntPtr at)
-        {
-            var raw = (Native.ZoneVolume*)at;
-            var made = new ZoneVolume();
-            made.Detected = raw->detected;
-            made.SignedMl = raw->signedMl;
-            made.PositiveMl = raw->positiveMl;
-            made.NegativeMl = raw->negativeMl;
-            made.AbsoluteMl = raw->absoluteMl;
-            made.SdMl = raw->sdMl;
-            made.Low95Ml = raw->low95Ml;
-            made.High95Ml = raw->high95Ml;
-            made.AreaBeforeMm2 = raw->areaBeforeMm2;
-            made.AreaAfterMm2 = raw->areaAfterMm2;
-            return made;
-        }
-    }
-
-    /// <summary>Distances of one zone, mm, weighted with area.</summary>
-    public sealed unsafe class ZoneDistance
-    {
-        /// <summary>along the normal of the before face; positive: outside</summary>
-        public double MeanSignedMm { get; internal set; }
-        public double SdSignedMm { get; internal set; }
-        /// <summary>of the signed ones</summary>
-        public double MeanAbsoluteMm { get; internal set; }
-        /// <summary>of the lengths</summary>
-        public double RmsMm { get; internal set; }
-        public double MeanLengthMm { get; internal set; }
-        public double MedianLengthMm { get; internal set; }
-        public double P95LengthMm { get; internal set; }
-        public double MaxLengthMm { get; internal set; }
-        /// <summary>vertices that had a partner</summary>
-        public ulong VertexCount { get; internal set; }
-
-        internal static ZoneDistance Read(Call call, IntPtr at)
-        {
-            var raw = (Native.ZoneDistance*)at;
-            var made = new ZoneDistance();
-            made.MeanSignedMm = raw->meanSignedMm;
-            made.SdSignedMm = raw->sdSignedMm;
-            made.MeanAbsoluteMm = raw->meanAbsoluteMm;
-            made.RmsMm = raw->rmsMm;
-            made.MeanLengthMm = raw->meanLengthMm;
-            made.MedianLengthMm = raw->medianLengthMm;
-            made.P95LengthMm = raw->p95LengthMm;
-            made.MaxLengthMm = raw->maxLengthMm;
-            made.VertexCount = raw->vertexCount;
-            return made;
-        }
-    }
-
-    /// <summary>A rigid alignment on a stable zone and how sure it is.</summary>
-    public sealed unsafe class ZoneAlignment
-    {
-        /// <summary>that counted</summary>
-        public ulong Pairs { get; internal set; }
-        /// <summary>left over along the normals</summary>
-        public double RmsMm { get; internal set; }
-        /// <summary>about the centre, root mean square over the axes</summary>
-        public double RotationSdRad { get; internal set; }
-        /// <summary>per axis, root mean square</summary>
-        public double TranslationSdMm { get; internal set; }
-        /// <summary>of the zone on the target</summary>
-        public double[] Centre { get; internal set; }
-        /// <summary>4 x 4 row by row, moving to target</summary>
-        public double[] Matrix { get; internal set; }
-
-        internal static ZoneAlignment Read(Call call, IntPtr at)
-        {
-            var raw = (Native.ZoneAlignment*)at;
-            var made = new ZoneAlignment();
-            made.Pairs = raw->pairs;
-            made.RmsMm = raw->rmsMm;
-            made.RotationSdRad = raw->rotationSdRad;
-            made.TranslationSdMm = raw->translationSdMm;
-            made.Centre = Call.CopyOut(raw->centre, 3);
-            made.Matrix = Call.CopyOut(raw->matrix, 16);
-            return made;
         }
     }
 
@@ -1444,6 +1696,7 @@ namespace Mien
             Lowest = raw.lowest;
             Highest = raw.highest;
             Focus = raw.focus;
+            Features = (ScoreFeatures)raw.features;
         }
 
         /// <summary>MIEN_PLS_*; default NIPALS</summary>
@@ -1470,6 +1723,8 @@ namespace Mien
         public uint[] StableVertices { get; set; }
         /// <summary>1 (default): vertices count by how far they move with the score, found anew in each fold; 0: by their area alone</summary>
         public uint Focus { get; set; }
+        /// <summary>MIEN_SCORE_FEATURES_*; default displacement and curvature. Since 0.2</summary>
+        public ScoreFeatures Features { get; set; }
 
         internal override void Fill(Call call, IntPtr at)
         {
@@ -1485,6 +1740,7 @@ namespace Mien
             raw->lowest = Lowest;
             raw->highest = Highest;
             raw->focus = Focus;
+            raw->features = (int)Features;
             raw->zoneVertices = call.Array(ZoneVertices);
             raw->zoneCount = (ulong)call.Rows(ZoneVertices, 1, "zone_vertices");
             raw->stableVertices = call.Array(StableVertices);
@@ -1916,39 +2172,6 @@ namespace Mien
     }
 
     /// <summary>What comes out of one call.</summary>
-    public sealed class SpectralSplit
-    {
-        internal SpectralSplit(Mesh low, Mesh high)
-        {
-            Low = low;
-            High = high;
-        }
-
-        /// <summary>may be left out; the low band's mesh.</summary>
-        public Mesh Low { get; private set; }
-        /// <summary>may be left out; the high band's mesh.</summary>
-        public Mesh High { get; private set; }
-    }
-
-    /// <summary>What comes out of one call.</summary>
-    public sealed class SurfaceTransferPoints
-    {
-        internal SurfaceTransferPoints(uint[] triangles, double[] barycentric, double[] positions)
-        {
-            Triangles = triangles;
-            Barycentric = barycentric;
-            Positions = positions;
-        }
-
-        /// <summary>triangle (cloud: vertex) numbers of `surface`.</summary>
-        public uint[] Triangles { get; private set; }
-        /// <summary>rows of 3 values.</summary>
-        public double[] Barycentric { get; private set; }
-        /// <summary>rows of 3 values in mm; a lost place keeps where it was.</summary>
-        public double[] Positions { get; private set; }
-    }
-
-    /// <summary>What comes out of one call.</summary>
     public sealed class MeasureLengths
     {
         internal MeasureLengths(double[] straightMm, double[] geodesicMm)
@@ -1991,6 +2214,39 @@ namespace Mien
         public ZoneAlignment Info { get; private set; }
         /// <summary>the moved mesh.</summary>
         public Mesh Out { get; private set; }
+    }
+
+    /// <summary>What comes out of one call.</summary>
+    public sealed class SpectralSplit
+    {
+        internal SpectralSplit(Mesh low, Mesh high)
+        {
+            Low = low;
+            High = high;
+        }
+
+        /// <summary>may be left out; the low band's mesh.</summary>
+        public Mesh Low { get; private set; }
+        /// <summary>may be left out; the high band's mesh.</summary>
+        public Mesh High { get; private set; }
+    }
+
+    /// <summary>What comes out of one call.</summary>
+    public sealed class SurfaceTransferPoints
+    {
+        internal SurfaceTransferPoints(uint[] triangles, double[] barycentric, double[] positions)
+        {
+            Triangles = triangles;
+            Barycentric = barycentric;
+            Positions = positions;
+        }
+
+        /// <summary>triangle (cloud: vertex) numbers of `surface`.</summary>
+        public uint[] Triangles { get; private set; }
+        /// <summary>rows of 3 values.</summary>
+        public double[] Barycentric { get; private set; }
+        /// <summary>rows of 3 values in mm; a lost place keeps where it was.</summary>
+        public double[] Positions { get; private set; }
     }
 
     /// <summary>What comes out of one call.</summary>
@@ -2060,21 +2316,6 @@ namespace Mien
     }
 
     /// <summary>What comes out of one call.</summary>
-    public sealed class SpectralBasisCounts
-    {
-        internal SpectralBasisCounts(ulong vertexCount, ulong modeCount)
-        {
-            VertexCount = vertexCount;
-            ModeCount = modeCount;
-        }
-
-        /// <summary>may be left out; #V.</summary>
-        public ulong VertexCount { get; private set; }
-        /// <summary>may be left out; k.</summary>
-        public ulong ModeCount { get; private set; }
-    }
-
-    /// <summary>What comes out of one call.</summary>
     public sealed class ModelCounts
     {
         internal ModelCounts(ulong vertexCount, ulong scalarModes, ulong vectorModes)
@@ -2123,6 +2364,51 @@ namespace Mien
         public double Position { get; private set; }
         /// <summary>may be left out; 0 unless it is a vertex.</summary>
         public uint Vertex { get; private set; }
+    }
+
+    /// <summary>What comes out of one call.</summary>
+    public sealed class AnthropometryCounts
+    {
+        internal AnthropometryCounts(ulong count, ulong knownCount)
+        {
+            Count = count;
+            KnownCount = knownCount;
+        }
+
+        /// <summary>may be left out.</summary>
+        public ulong Count { get; private set; }
+        /// <summary>may be left out.</summary>
+        public ulong KnownCount { get; private set; }
+    }
+
+    /// <summary>What comes out of one call.</summary>
+    public sealed class MeasurementZones
+    {
+        internal MeasurementZones(uint zoneCount, int zonesDisjoint)
+        {
+            ZoneCount = zoneCount;
+            ZonesDisjoint = zonesDisjoint;
+        }
+
+        /// <summary>may be left out; the number of zones given.</summary>
+        public uint ZoneCount { get; private set; }
+        /// <summary>may be left out; 1 when no vertex lies in two zones: zones and rest then add up.</summary>
+        public int ZonesDisjoint { get; private set; }
+    }
+
+    /// <summary>What comes out of one call.</summary>
+    public sealed class SpectralBasisCounts
+    {
+        internal SpectralBasisCounts(ulong vertexCount, ulong modeCount)
+        {
+            VertexCount = vertexCount;
+            ModeCount = modeCount;
+        }
+
+        /// <summary>may be left out; #V.</summary>
+        public ulong VertexCount { get; private set; }
+        /// <summary>may be left out; k.</summary>
+        public ulong ModeCount { get; private set; }
     }
 
     /// <summary>What comes out of one call.</summary>
@@ -2189,21 +2475,6 @@ namespace Mien
         public double[] Identity { get; private set; }
         /// <summary>expression_modes values.</summary>
         public double[] Expression { get; private set; }
-    }
-
-    /// <summary>What comes out of one call.</summary>
-    public sealed class MeasurementZones
-    {
-        internal MeasurementZones(uint zoneCount, int zonesDisjoint)
-        {
-            ZoneCount = zoneCount;
-            ZonesDisjoint = zonesDisjoint;
-        }
-
-        /// <summary>may be left out; the number of zones given.</summary>
-        public uint ZoneCount { get; private set; }
-        /// <summary>may be left out; 1 when no vertex lies in two zones: zones and rest then add up.</summary>
-        public int ZonesDisjoint { get; private set; }
     }
 
     /// <summary>What comes out of one call.</summary>
@@ -2337,6 +2608,369 @@ namespace Mien
                 call.Check(Functions.mien_session_create_with_options(Functions.AbiVersion, optionsAt, outAt, call.Error));
                 return call.Keep(new Session(call.Pointer(outAt)));
             }
+        }
+
+        /// <summary>Lengths, lengths along the skin, angles, inclinations and proportions between the landmarks of a face: some
+        /// hundred of the field's, always in the same order. Landmarks go by the field's names ("pronasale",
+        /// "cheilion_left") or abbreviations ("prn", "ch_left"), or by those of the 68-point scheme that truly coincide
+        /// with one of the field (jaw_08 is gnathion; nose_base_0 is no alare). A measurement whose landmarks are missing
+        /// is NaN with a reason.</summary>
+        /// <param name="face">#V x 3, mm, with triangles.</param>
+        /// <param name="landmarks">vertices of the face, or places on it in its frame (a measurement with a place has no deviation, and no length
+        /// along the skin).</param>
+        /// <param name="options">may be left out: no deviations, no norms.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH (landmarks, deviations),
+        /// MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
+        /// <remarks>C: mien_measure_anthropometry()</remarks>
+        public Anthropometry MeasureAnthropometry(Mesh face, Landmarks landmarks, AnthropometryOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            using (var call = new Call())
+            {
+                call.Lock(this);
+                var sessionAt = call.Use(this);
+                var faceAt = call.Use(face);
+                var landmarksAt = call.Use(landmarks);
+                var optionsAt = (options ?? new AnthropometryOptions()).Write(call, progress, cancellationToken);
+                var outAt = call.Room(8);
+                call.Check(Functions.mien_measure_anthropometry(sessionAt, faceAt, landmarksAt, optionsAt, outAt, call.Error));
+                return call.Keep(new Anthropometry(call.Pointer(outAt)));
+            }
+        }
+
+        /// <summary>Lengths, lengths along the skin, angles, inclinations and proportions between the landmarks of a face: some
+        /// hundred of the field's, always in the same order. Landmarks go by the field's names ("pronasale",
+        /// "cheilion_left") or abbreviations ("prn", "ch_left"), or by those of the 68-point scheme that truly coincide
+        /// with one of the field (jaw_08 is gnathion; nose_base_0 is no alare). A measurement whose landmarks are missing
+        /// is NaN with a reason.</summary>
+        /// <param name="face">#V x 3, mm, with triangles.</param>
+        /// <param name="landmarks">vertices of the face, or places on it in its frame (a measurement with a place has no deviation, and no length
+        /// along the skin).</param>
+        /// <param name="options">may be left out: no deviations, no norms.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH (landmarks, deviations),
+        /// MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
+        /// <remarks>C: mien_measure_anthropometry()</remarks>
+        public Task<Anthropometry> MeasureAnthropometryAsync(Mesh face, Landmarks landmarks, AnthropometryOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            return Task.Run(() => MeasureAnthropometry(face, landmarks, options, progress, cancellationToken), cancellationToken);
+        }
+
+        /// <summary>The volume between two faces in correspondence: signed, positive, negative and absolute, whole and per zone,
+        /// exact where the faces cross inside a triangle pair. A zone's edge runs linearly through the ring of triangles it
+        /// shares; disjoint zones and the rest add up to the whole.</summary>
+        /// <param name="before">#V x 3, mm, with triangles counter-clockwise seen from outside.</param>
+        /// <param name="after">same vertex count, in the frame of before; its triangles are not read.</param>
+        /// <param name="options">may be left out: the whole face, no uncertainty.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (no triangles), MIEN_E_MISMATCH (vertex
+        /// counts, zones, deviations), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
+        /// <remarks>C: mien_measure_volume()</remarks>
+        public Measurement MeasureVolume(Mesh before, Mesh after, MeasureOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            using (var call = new Call())
+            {
+                call.Lock(this);
+                var sessionAt = call.Use(this);
+                var beforeAt = call.Use(before);
+                var afterAt = call.Use(after);
+                var optionsAt = (options ?? new MeasureOptions()).Write(call, progress, cancellationToken);
+                var outAt = call.Room(8);
+                call.Check(Functions.mien_measure_volume(sessionAt, beforeAt, afterAt, optionsAt, outAt, call.Error));
+                return call.Keep(new Measurement(call.Pointer(outAt)));
+            }
+        }
+
+        /// <summary>The volume between two faces in correspondence: signed, positive, negative and absolute, whole and per zone,
+        /// exact where the faces cross inside a triangle pair. A zone's edge runs linearly through the ring of triangles it
+        /// shares; disjoint zones and the rest add up to the whole.</summary>
+        /// <param name="before">#V x 3, mm, with triangles counter-clockwise seen from outside.</param>
+        /// <param name="after">same vertex count, in the frame of before; its triangles are not read.</param>
+        /// <param name="options">may be left out: the whole face, no uncertainty.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (no triangles), MIEN_E_MISMATCH (vertex
+        /// counts, zones, deviations), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
+        /// <remarks>C: mien_measure_volume()</remarks>
+        public Task<Measurement> MeasureVolumeAsync(Mesh before, Mesh after, MeasureOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            return Task.Run(() => MeasureVolume(before, after, options, progress, cancellationToken), cancellationToken);
+        }
+
+        /// <summary>Distances between two faces in correspondence, per vertex and per zone.</summary>
+        /// <param name="before">#V x 3, mm.</param>
+        /// <param name="after">same vertex count, in the frame of before.</param>
+        /// <param name="options">may be left out; zones, progress and cancel are read.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH, MIEN_E_NO_MEMORY,
+        /// MIEN_E_CANCELLED</exception>
+        /// <remarks>C: mien_measure_distance()</remarks>
+        public Measurement MeasureDistance(Mesh before, Mesh after, MeasureOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            using (var call = new Call())
+            {
+                call.Lock(this);
+                var sessionAt = call.Use(this);
+                var beforeAt = call.Use(before);
+                var afterAt = call.Use(after);
+                var optionsAt = (options ?? new MeasureOptions()).Write(call, progress, cancellationToken);
+                var outAt = call.Room(8);
+                call.Check(Functions.mien_measure_distance(sessionAt, beforeAt, afterAt, optionsAt, outAt, call.Error));
+                return call.Keep(new Measurement(call.Pointer(outAt)));
+            }
+        }
+
+        /// <summary>Distances between two faces in correspondence, per vertex and per zone.</summary>
+        /// <param name="before">#V x 3, mm.</param>
+        /// <param name="after">same vertex count, in the frame of before.</param>
+        /// <param name="options">may be left out; zones, progress and cancel are read.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH, MIEN_E_NO_MEMORY,
+        /// MIEN_E_CANCELLED</exception>
+        /// <remarks>C: mien_measure_distance()</remarks>
+        public Task<Measurement> MeasureDistanceAsync(Mesh before, Mesh after, MeasureOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            return Task.Run(() => MeasureDistance(before, after, options, progress, cancellationToken), cancellationToken);
+        }
+
+        /// <summary>Distances from the vertices of one surface to the closest place on another, in any topology; the Hausdorff
+        /// distance takes both directions.</summary>
+        /// <param name="before">#V x 3, mm, with triangles.</param>
+        /// <param name="after">a surface or a cloud of points, aligned with before.</param>
+        /// <param name="options">may be left out; zones (of before), max_distance_mm, skip_borders, progress, cancel.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH, MIEN_E_NO_MEMORY,
+        /// MIEN_E_CANCELLED</exception>
+        /// <remarks>C: mien_measure_surface_distance()</remarks>
+        public Measurement MeasureSurfaceDistance(Mesh before, Mesh after, MeasureOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            using (var call = new Call())
+            {
+                call.Lock(this);
+                var sessionAt = call.Use(this);
+                var beforeAt = call.Use(before);
+                var afterAt = call.Use(after);
+                var optionsAt = (options ?? new MeasureOptions()).Write(call, progress, cancellationToken);
+                var outAt = call.Room(8);
+                call.Check(Functions.mien_measure_surface_distance(sessionAt, beforeAt, afterAt, optionsAt, outAt, call.Error));
+                return call.Keep(new Measurement(call.Pointer(outAt)));
+            }
+        }
+
+        /// <summary>Distances from the vertices of one surface to the closest place on another, in any topology; the Hausdorff
+        /// distance takes both directions.</summary>
+        /// <param name="before">#V x 3, mm, with triangles.</param>
+        /// <param name="after">a surface or a cloud of points, aligned with before.</param>
+        /// <param name="options">may be left out; zones (of before), max_distance_mm, skip_borders, progress, cancel.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH, MIEN_E_NO_MEMORY,
+        /// MIEN_E_CANCELLED</exception>
+        /// <remarks>C: mien_measure_surface_distance()</remarks>
+        public Task<Measurement> MeasureSurfaceDistanceAsync(Mesh before, Mesh after, MeasureOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            return Task.Run(() => MeasureSurfaceDistance(before, after, options, progress, cancellationToken), cancellationToken);
+        }
+
+        /// <summary>The volume that a mesh encloses, by the divergence theorem about its centroid.</summary>
+        /// <param name="mesh">manifold along its edges and consistently oriented.</param>
+        /// <param name="closeRims">1: each open rim is closed by a fan from the mean of its vertices; 0: an open mesh is an error.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (close_rims), MIEN_E_INVALID_MESH
+        /// (open, not manifold or not oriented: the message counts the edges), MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_measure_closed_volume()</remarks>
+        public double MeasureClosedVolume(Mesh mesh, int closeRims)
+        {
+            using (var call = new Call())
+            {
+                call.Lock(this);
+                var sessionAt = call.Use(this);
+                var meshAt = call.Use(mesh);
+                var volumeMlAt = call.Room(8);
+                call.Check(Functions.mien_measure_closed_volume(sessionAt, meshAt, closeRims, volumeMlAt, call.Error));
+                return *(double*)volumeMlAt;
+            }
+        }
+
+        /// <summary>The area of a surface, or of a zone of it (a triangle's area is shared by its three vertices).</summary>
+        /// <param name="mesh">with triangles.</param>
+        /// <param name="zone">may be left out: the whole surface.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH (zone), MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_measure_area()</remarks>
+        public double MeasureArea(Mesh mesh, Zone zone = null)
+        {
+            using (var call = new Call())
+            {
+                call.Lock(this);
+                var sessionAt = call.Use(this);
+                var meshAt = call.Use(mesh);
+                var zoneAt = call.Record(zone, sizeof(Native.Zone), true, "zone");
+                var areaMm2At = call.Room(8);
+                call.Check(Functions.mien_measure_area(sessionAt, meshAt, zoneAt, areaMm2At, call.Error));
+                return *(double*)areaMm2At;
+            }
+        }
+
+        /// <summary>Curvatures of a surface, per vertex and per zone, by fits of a cubic around each vertex.</summary>
+        /// <param name="mesh">#V x 3, mm, with triangles counter-clockwise seen from outside.</param>
+        /// <param name="radiusMm">&gt; 0; of the fits: what is smaller is smoothed away. 6 suits fitted faces.</param>
+        /// <param name="robust">1: a second fit leaves spikes and lashes out; 0: none.</param>
+        /// <param name="options">may be left out; zones, progress and cancel are read.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (robust), MIEN_E_INVALID_MESH,
+        /// MIEN_E_MISMATCH (zones), MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
+        /// <remarks>C: mien_measure_curvature()</remarks>
+        public Measurement MeasureCurvature(Mesh mesh, double radiusMm, int robust, MeasureOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            using (var call = new Call())
+            {
+                call.Lock(this);
+                var sessionAt = call.Use(this);
+                var meshAt = call.Use(mesh);
+                var optionsAt = (options ?? new MeasureOptions()).Write(call, progress, cancellationToken);
+                var outAt = call.Room(8);
+                call.Check(Functions.mien_measure_curvature(sessionAt, meshAt, radiusMm, robust, optionsAt, outAt, call.Error));
+                return call.Keep(new Measurement(call.Pointer(outAt)));
+            }
+        }
+
+        /// <summary>Curvatures of a surface, per vertex and per zone, by fits of a cubic around each vertex.</summary>
+        /// <param name="mesh">#V x 3, mm, with triangles counter-clockwise seen from outside.</param>
+        /// <param name="radiusMm">&gt; 0; of the fits: what is smaller is smoothed away. 6 suits fitted faces.</param>
+        /// <param name="robust">1: a second fit leaves spikes and lashes out; 0: none.</param>
+        /// <param name="options">may be left out; zones, progress and cancel are read.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (robust), MIEN_E_INVALID_MESH,
+        /// MIEN_E_MISMATCH (zones), MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
+        /// <remarks>C: mien_measure_curvature()</remarks>
+        public Task<Measurement> MeasureCurvatureAsync(Mesh mesh, double radiusMm, int robust, MeasureOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            return Task.Run(() => MeasureCurvature(mesh, radiusMm, robust, options, progress, cancellationToken), cancellationToken);
+        }
+
+        /// <summary>Straight lengths and lengths along the surface between pairs of vertices.</summary>
+        /// <param name="mesh">#V x 3, mm, with triangles.</param>
+        /// <param name="pairs">pair_count x 2 vertex numbers.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH (vertex),
+        /// MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_measure_lengths()</remarks>
+        public MeasureLengths MeasureLengths(Mesh mesh, uint[] pairs)
+        {
+            using (var call = new Call())
+            {
+                call.Required(pairs, "pairs");
+                call.Lock(this);
+                var sessionAt = call.Use(this);
+                var meshAt = call.Use(mesh);
+                var pairCount = call.Rows(pairs, 2, "pairs");
+                var pairsAt = call.Array(pairs);
+                var straightMmAt = call.Room(pairCount * 8);
+                var geodesicMmAt = call.Room(pairCount * 8);
+                call.Check(Functions.mien_measure_lengths(sessionAt, meshAt, pairsAt, (ulong)pairCount, straightMmAt, geodesicMmAt, call.Error));
+                return new MeasureLengths(call.ReadDoubles(straightMmAt, pairCount), call.ReadDoubles(geodesicMmAt, pairCount));
+            }
+        }
+
+        /// <summary>The volume between two surfaces that are not in correspondence, scan to scan: each vertex of before is carried
+        /// onto after, then the swept volume is measured. Triangles without a partner do not count.</summary>
+        /// <param name="before">#V x 3, mm, with triangles.</param>
+        /// <param name="after">another surface with triangles, aligned with before.</param>
+        /// <param name="carry">MIEN_CARRY_*.</param>
+        /// <param name="direction">3 numbers, any length but zero; may be left out unless carry is MIEN_CARRY_DIRECTION.</param>
+        /// <param name="options">may be left out; zones (of before), max_distance_mm (0: 20), limit_of_detection_ml, progress, cancel. Deviations
+        /// are not read.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH, MIEN_E_NO_SOLUTION
+        /// (nothing within reach), MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
+        /// <remarks>C: mien_measure_scan_volume()</remarks>
+        public MeasureScanVolume MeasureScanVolume(Mesh before, Mesh after, Carry carry, double[] direction = null, MeasureOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            using (var call = new Call())
+            {
+                call.Lock(this);
+                var sessionAt = call.Use(this);
+                var beforeAt = call.Use(before);
+                var afterAt = call.Use(after);
+                call.Agree("direction", call.Rows(direction, 1, "direction"), 3);
+                var directionAt = call.Array(direction);
+                var optionsAt = (options ?? new MeasureOptions()).Write(call, progress, cancellationToken);
+                var coverageAt = call.Room(8);
+                var outAt = call.Room(8);
+                call.Check(Functions.mien_measure_scan_volume(sessionAt, beforeAt, afterAt, (int)carry, directionAt, optionsAt, coverageAt, outAt, call.Error));
+                return new MeasureScanVolume(*(double*)coverageAt, call.Keep(new Measurement(call.Pointer(outAt))));
+            }
+        }
+
+        /// <summary>The volume between two surfaces that are not in correspondence, scan to scan: each vertex of before is carried
+        /// onto after, then the swept volume is measured. Triangles without a partner do not count.</summary>
+        /// <param name="before">#V x 3, mm, with triangles.</param>
+        /// <param name="after">another surface with triangles, aligned with before.</param>
+        /// <param name="carry">MIEN_CARRY_*.</param>
+        /// <param name="direction">3 numbers, any length but zero; may be left out unless carry is MIEN_CARRY_DIRECTION.</param>
+        /// <param name="options">may be left out; zones (of before), max_distance_mm (0: 20), limit_of_detection_ml, progress, cancel. Deviations
+        /// are not read.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH, MIEN_E_NO_SOLUTION
+        /// (nothing within reach), MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
+        /// <remarks>C: mien_measure_scan_volume()</remarks>
+        public Task<MeasureScanVolume> MeasureScanVolumeAsync(Mesh before, Mesh after, Carry carry, double[] direction = null, MeasureOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            return Task.Run(() => MeasureScanVolume(before, after, carry, direction, options, progress, cancellationToken), cancellationToken);
+        }
+
+        /// <summary>Moves one face rigidly onto another by a zone that has not changed (forehead, nose bridge), robustly: by
+        /// correspondence first, then by closest points, because a fit slides along a scan more than it lifts off. Surfaces
+        /// with other triangles (two scans) are brought together by closest points alone and must lie within 15 mm of each
+        /// other there. The deviations feed alignment_rotation_sd_rad, alignment_translation_sd_mm and alignment_centre.</summary>
+        /// <param name="moving">#V x 3, mm, with triangles.</param>
+        /// <param name="target">with triangles.</param>
+        /// <param name="stable">may be left out: all vertices. Vertices of target.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH, MIEN_E_NO_SOLUTION (zone
+        /// too small or straight), MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_measure_align()</remarks>
+        public MeasureAlign MeasureAlign(Mesh moving, Mesh target, Zone stable = null)
+        {
+            using (var call = new Call())
+            {
+                call.Lock(this);
+                var sessionAt = call.Use(this);
+                var movingAt = call.Use(moving);
+                var targetAt = call.Use(target);
+                var stableAt = call.Record(stable, sizeof(Native.Zone), true, "stable");
+                var infoAt = call.Sized(sizeof(Native.ZoneAlignment));
+                var outAt = call.Room(8);
+                call.Check(Functions.mien_measure_align(sessionAt, movingAt, targetAt, stableAt, infoAt, outAt, call.Error));
+                return new MeasureAlign(ZoneAlignment.Read(call, infoAt), call.Keep(new Mesh(call.Pointer(outAt))));
+            }
+        }
+
+        /// <summary>Compares the left side of a face with the reflection of its right side: volume and distance, signed (positive:
+        /// the left side lies farther out), whole and per zone, with intervals. Zones of both sides ("cheek_left",
+        /// "cheek_right") are one comparison ("cheek"); of a zone in the middle the left half is compared with the right
+        /// half. The result holds volumes, distances, and fields of all vertices (a right vertex against the reflected left
+        /// side).</summary>
+        /// <param name="face">#V x 3, mm, in the template's topology.</param>
+        /// <param name="templateMesh">the template, symmetric about its plane x = 0, +x to the left (mien_model_mesh()).</param>
+        /// <param name="options">may be left out: the whole side, no interval.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (plane), MIEN_E_INVALID_MESH (no
+        /// triangles; the template is not symmetric), MIEN_E_MISMATCH (vertex counts, zones, landmarks, deviations),
+        /// MIEN_E_NO_SOLUTION (no plane is determined), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
+        /// <remarks>C: mien_measure_asymmetry()</remarks>
+        public Measurement MeasureAsymmetry(Mesh face, Mesh templateMesh, AsymmetryOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            using (var call = new Call())
+            {
+                call.Lock(this);
+                var sessionAt = call.Use(this);
+                var faceAt = call.Use(face);
+                var templateMeshAt = call.Use(templateMesh);
+                var optionsAt = (options ?? new AsymmetryOptions()).Write(call, progress, cancellationToken);
+                var outAt = call.Room(8);
+                call.Check(Functions.mien_measure_asymmetry(sessionAt, faceAt, templateMeshAt, optionsAt, outAt, call.Error));
+                return call.Keep(new Measurement(call.Pointer(outAt)));
+            }
+        }
+
+        /// <summary>Compares the left side of a face with the reflection of its right side: volume and distance, signed (positive:
+        /// the left side lies farther out), whole and per zone, with intervals. Zones of both sides ("cheek_left",
+        /// "cheek_right") are one comparison ("cheek"); of a zone in the middle the left half is compared with the right
+        /// half. The result holds volumes, distances, and fields of all vertices (a right vertex against the reflected left
+        /// side).</summary>
+        /// <param name="face">#V x 3, mm, in the template's topology.</param>
+        /// <param name="templateMesh">the template, symmetric about its plane x = 0, +x to the left (mien_model_mesh()).</param>
+        /// <param name="options">may be left out: the whole side, no interval.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (plane), MIEN_E_INVALID_MESH (no
+        /// triangles; the template is not symmetric), MIEN_E_MISMATCH (vertex counts, zones, landmarks, deviations),
+        /// MIEN_E_NO_SOLUTION (no plane is determined), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
+        /// <remarks>C: mien_measure_asymmetry()</remarks>
+        public Task<Measurement> MeasureAsymmetryAsync(Mesh face, Mesh templateMesh, AsymmetryOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            return Task.Run(() => MeasureAsymmetry(face, templateMesh, options, progress, cancellationToken), cancellationToken);
         }
 
         /// <summary>Splits a face at mode k: the mean moved by its low, and by its high frequencies. low + high - mean is the face.</summary>
@@ -2705,281 +3339,6 @@ namespace Mien
         public Task<Evaluation> EvaluateNeutralizationAsync(ExpressionModel model, string datasetPath, EvaluateOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
         {
             return Task.Run(() => EvaluateNeutralization(model, datasetPath, options, progress, cancellationToken), cancellationToken);
-        }
-
-        /// <summary>The volume between two faces in correspondence: signed, positive, negative and absolute, whole and per zone,
-        /// exact where the faces cross inside a triangle pair. A zone's edge runs linearly through the ring of triangles it
-        /// shares; disjoint zones and the rest add up to the whole.</summary>
-        /// <param name="before">#V x 3, mm, with triangles counter-clockwise seen from outside.</param>
-        /// <param name="after">same vertex count, in the frame of before; its triangles are not read.</param>
-        /// <param name="options">may be left out: the whole face, no uncertainty.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (no triangles), MIEN_E_MISMATCH (vertex
-        /// counts, zones, deviations), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
-        /// <remarks>C: mien_measure_volume()</remarks>
-        public Measurement MeasureVolume(Mesh before, Mesh after, MeasureOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
-        {
-            using (var call = new Call())
-            {
-                call.Lock(this);
-                var sessionAt = call.Use(this);
-                var beforeAt = call.Use(before);
-                var afterAt = call.Use(after);
-                var optionsAt = (options ?? new MeasureOptions()).Write(call, progress, cancellationToken);
-                var outAt = call.Room(8);
-                call.Check(Functions.mien_measure_volume(sessionAt, beforeAt, afterAt, optionsAt, outAt, call.Error));
-                return call.Keep(new Measurement(call.Pointer(outAt)));
-            }
-        }
-
-        /// <summary>The volume between two faces in correspondence: signed, positive, negative and absolute, whole and per zone,
-        /// exact where the faces cross inside a triangle pair. A zone's edge runs linearly through the ring of triangles it
-        /// shares; disjoint zones and the rest add up to the whole.</summary>
-        /// <param name="before">#V x 3, mm, with triangles counter-clockwise seen from outside.</param>
-        /// <param name="after">same vertex count, in the frame of before; its triangles are not read.</param>
-        /// <param name="options">may be left out: the whole face, no uncertainty.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (no triangles), MIEN_E_MISMATCH (vertex
-        /// counts, zones, deviations), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
-        /// <remarks>C: mien_measure_volume()</remarks>
-        public Task<Measurement> MeasureVolumeAsync(Mesh before, Mesh after, MeasureOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
-        {
-            return Task.Run(() => MeasureVolume(before, after, options, progress, cancellationToken), cancellationToken);
-        }
-
-        /// <summary>Distances between two faces in correspondence, per vertex and per zone.</summary>
-        /// <param name="before">#V x 3, mm.</param>
-        /// <param name="after">same vertex count, in the frame of before.</param>
-        /// <param name="options">may be left out; zones, progress and cancel are read.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH, MIEN_E_NO_MEMORY,
-        /// MIEN_E_CANCELLED</exception>
-        /// <remarks>C: mien_measure_distance()</remarks>
-        public Measurement MeasureDistance(Mesh before, Mesh after, MeasureOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
-        {
-            using (var call = new Call())
-            {
-                call.Lock(this);
-                var sessionAt = call.Use(this);
-                var beforeAt = call.Use(before);
-                var afterAt = call.Use(after);
-                var optionsAt = (options ?? new MeasureOptions()).Write(call, progress, cancellationToken);
-                var outAt = call.Room(8);
-                call.Check(Functions.mien_measure_distance(sessionAt, beforeAt, afterAt, optionsAt, outAt, call.Error));
-                return call.Keep(new Measurement(call.Pointer(outAt)));
-            }
-        }
-
-        /// <summary>Distances between two faces in correspondence, per vertex and per zone.</summary>
-        /// <param name="before">#V x 3, mm.</param>
-        /// <param name="after">same vertex count, in the frame of before.</param>
-        /// <param name="options">may be left out; zones, progress and cancel are read.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH, MIEN_E_NO_MEMORY,
-        /// MIEN_E_CANCELLED</exception>
-        /// <remarks>C: mien_measure_distance()</remarks>
-        public Task<Measurement> MeasureDistanceAsync(Mesh before, Mesh after, MeasureOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
-        {
-            return Task.Run(() => MeasureDistance(before, after, options, progress, cancellationToken), cancellationToken);
-        }
-
-        /// <summary>Distances from the vertices of one surface to the closest place on another, in any topology; the Hausdorff
-        /// distance takes both directions.</summary>
-        /// <param name="before">#V x 3, mm, with triangles.</param>
-        /// <param name="after">a surface or a cloud of points, aligned with before.</param>
-        /// <param name="options">may be left out; zones (of before), max_distance_mm, skip_borders, progress, cancel.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH, MIEN_E_NO_MEMORY,
-        /// MIEN_E_CANCELLED</exception>
-        /// <remarks>C: mien_measure_surface_distance()</remarks>
-        public Measurement MeasureSurfaceDistance(Mesh before, Mesh after, MeasureOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
-        {
-            using (var call = new Call())
-            {
-                call.Lock(this);
-                var sessionAt = call.Use(this);
-                var beforeAt = call.Use(before);
-                var afterAt = call.Use(after);
-                var optionsAt = (options ?? new MeasureOptions()).Write(call, progress, cancellationToken);
-                var outAt = call.Room(8);
-                call.Check(Functions.mien_measure_surface_distance(sessionAt, beforeAt, afterAt, optionsAt, outAt, call.Error));
-                return call.Keep(new Measurement(call.Pointer(outAt)));
-            }
-        }
-
-        /// <summary>Distances from the vertices of one surface to the closest place on another, in any topology; the Hausdorff
-        /// distance takes both directions.</summary>
-        /// <param name="before">#V x 3, mm, with triangles.</param>
-        /// <param name="after">a surface or a cloud of points, aligned with before.</param>
-        /// <param name="options">may be left out; zones (of before), max_distance_mm, skip_borders, progress, cancel.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH, MIEN_E_NO_MEMORY,
-        /// MIEN_E_CANCELLED</exception>
-        /// <remarks>C: mien_measure_surface_distance()</remarks>
-        public Task<Measurement> MeasureSurfaceDistanceAsync(Mesh before, Mesh after, MeasureOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
-        {
-            return Task.Run(() => MeasureSurfaceDistance(before, after, options, progress, cancellationToken), cancellationToken);
-        }
-
-        /// <summary>The volume that a mesh encloses, by the divergence theorem about its centroid.</summary>
-        /// <param name="mesh">manifold along its edges and consistently oriented.</param>
-        /// <param name="closeRims">1: each open rim is closed by a fan from the mean of its vertices; 0: an open mesh is an error.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (close_rims), MIEN_E_INVALID_MESH
-        /// (open, not manifold or not oriented: the message counts the edges), MIEN_E_NO_MEMORY</exception>
-        /// <remarks>C: mien_measure_closed_volume()</remarks>
-        public double MeasureClosedVolume(Mesh mesh, int closeRims)
-        {
-            using (var call = new Call())
-            {
-                call.Lock(this);
-                var sessionAt = call.Use(this);
-                var meshAt = call.Use(mesh);
-                var volumeMlAt = call.Room(8);
-                call.Check(Functions.mien_measure_closed_volume(sessionAt, meshAt, closeRims, volumeMlAt, call.Error));
-                return *(double*)volumeMlAt;
-            }
-        }
-
-        /// <summary>The area of a surface, or of a zone of it (a triangle's area is shared by its three vertices).</summary>
-        /// <param name="mesh">with triangles.</param>
-        /// <param name="zone">may be left out: the whole surface.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH (zone), MIEN_E_NO_MEMORY</exception>
-        /// <remarks>C: mien_measure_area()</remarks>
-        public double MeasureArea(Mesh mesh, Zone zone = null)
-        {
-            using (var call = new Call())
-            {
-                call.Lock(this);
-                var sessionAt = call.Use(this);
-                var meshAt = call.Use(mesh);
-                var zoneAt = call.Record(zone, sizeof(Native.Zone), true, "zone");
-                var areaMm2At = call.Room(8);
-                call.Check(Functions.mien_measure_area(sessionAt, meshAt, zoneAt, areaMm2At, call.Error));
-                return *(double*)areaMm2At;
-            }
-        }
-
-        /// <summary>Curvatures of a surface, per vertex and per zone, by fits of a cubic around each vertex.</summary>
-        /// <param name="mesh">#V x 3, mm, with triangles counter-clockwise seen from outside.</param>
-        /// <param name="radiusMm">&gt; 0; of the fits: what is smaller is smoothed away. 6 suits fitted faces.</param>
-        /// <param name="robust">1: a second fit leaves spikes and lashes out; 0: none.</param>
-        /// <param name="options">may be left out; zones, progress and cancel are read.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (robust), MIEN_E_INVALID_MESH,
-        /// MIEN_E_MISMATCH (zones), MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
-        /// <remarks>C: mien_measure_curvature()</remarks>
-        public Measurement MeasureCurvature(Mesh mesh, double radiusMm, int robust, MeasureOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
-        {
-            using (var call = new Call())
-            {
-                call.Lock(this);
-                var sessionAt = call.Use(this);
-                var meshAt = call.Use(mesh);
-                var optionsAt = (options ?? new MeasureOptions()).Write(call, progress, cancellationToken);
-                var outAt = call.Room(8);
-                call.Check(Functions.mien_measure_curvature(sessionAt, meshAt, radiusMm, robust, optionsAt, outAt, call.Error));
-                return call.Keep(new Measurement(call.Pointer(outAt)));
-            }
-        }
-
-        /// <summary>Curvatures of a surface, per vertex and per zone, by fits of a cubic around each vertex.</summary>
-        /// <param name="mesh">#V x 3, mm, with triangles counter-clockwise seen from outside.</param>
-        /// <param name="radiusMm">&gt; 0; of the fits: what is smaller is smoothed away. 6 suits fitted faces.</param>
-        /// <param name="robust">1: a second fit leaves spikes and lashes out; 0: none.</param>
-        /// <param name="options">may be left out; zones, progress and cancel are read.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (robust), MIEN_E_INVALID_MESH,
-        /// MIEN_E_MISMATCH (zones), MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
-        /// <remarks>C: mien_measure_curvature()</remarks>
-        public Task<Measurement> MeasureCurvatureAsync(Mesh mesh, double radiusMm, int robust, MeasureOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
-        {
-            return Task.Run(() => MeasureCurvature(mesh, radiusMm, robust, options, progress, cancellationToken), cancellationToken);
-        }
-
-        /// <summary>Straight lengths and lengths along the surface between pairs of vertices.</summary>
-        /// <param name="mesh">#V x 3, mm, with triangles.</param>
-        /// <param name="pairs">pair_count x 2 vertex numbers.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH (vertex),
-        /// MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY</exception>
-        /// <remarks>C: mien_measure_lengths()</remarks>
-        public MeasureLengths MeasureLengths(Mesh mesh, uint[] pairs)
-        {
-            using (var call = new Call())
-            {
-                call.Required(pairs, "pairs");
-                call.Lock(this);
-                var sessionAt = call.Use(this);
-                var meshAt = call.Use(mesh);
-                var pairCount = call.Rows(pairs, 2, "pairs");
-                var pairsAt = call.Array(pairs);
-                var straightMmAt = call.Room(pairCount * 8);
-                var geodesicMmAt = call.Room(pairCount * 8);
-                call.Check(Functions.mien_measure_lengths(sessionAt, meshAt, pairsAt, (ulong)pairCount, straightMmAt, geodesicMmAt, call.Error));
-                return new MeasureLengths(call.ReadDoubles(straightMmAt, pairCount), call.ReadDoubles(geodesicMmAt, pairCount));
-            }
-        }
-
-        /// <summary>The volume between two surfaces that are not in correspondence, scan to scan: each vertex of before is carried
-        /// onto after, then the swept volume is measured. Triangles without a partner do not count.</summary>
-        /// <param name="before">#V x 3, mm, with triangles.</param>
-        /// <param name="after">another surface with triangles, aligned with before.</param>
-        /// <param name="carry">MIEN_CARRY_*.</param>
-        /// <param name="direction">3 numbers, any length but zero; may be left out unless carry is MIEN_CARRY_DIRECTION.</param>
-        /// <param name="options">may be left out; zones (of before), max_distance_mm (0: 20), limit_of_detection_ml, progress, cancel. Deviations
-        /// are not read.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH, MIEN_E_NO_SOLUTION
-        /// (nothing within reach), MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
-        /// <remarks>C: mien_measure_scan_volume()</remarks>
-        public MeasureScanVolume MeasureScanVolume(Mesh before, Mesh after, Carry carry, double[] direction = null, MeasureOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
-        {
-            using (var call = new Call())
-            {
-                call.Lock(this);
-                var sessionAt = call.Use(this);
-                var beforeAt = call.Use(before);
-                var afterAt = call.Use(after);
-                call.Agree("direction", call.Rows(direction, 1, "direction"), 3);
-                var directionAt = call.Array(direction);
-                var optionsAt = (options ?? new MeasureOptions()).Write(call, progress, cancellationToken);
-                var coverageAt = call.Room(8);
-                var outAt = call.Room(8);
-                call.Check(Functions.mien_measure_scan_volume(sessionAt, beforeAt, afterAt, (int)carry, directionAt, optionsAt, coverageAt, outAt, call.Error));
-                return new MeasureScanVolume(*(double*)coverageAt, call.Keep(new Measurement(call.Pointer(outAt))));
-            }
-        }
-
-        /// <summary>The volume between two surfaces that are not in correspondence, scan to scan: each vertex of before is carried
-        /// onto after, then the swept volume is measured. Triangles without a partner do not count.</summary>
-        /// <param name="before">#V x 3, mm, with triangles.</param>
-        /// <param name="after">another surface with triangles, aligned with before.</param>
-        /// <param name="carry">MIEN_CARRY_*.</param>
-        /// <param name="direction">3 numbers, any length but zero; may be left out unless carry is MIEN_CARRY_DIRECTION.</param>
-        /// <param name="options">may be left out; zones (of before), max_distance_mm (0: 20), limit_of_detection_ml, progress, cancel. Deviations
-        /// are not read.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH, MIEN_E_NO_SOLUTION
-        /// (nothing within reach), MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
-        /// <remarks>C: mien_measure_scan_volume()</remarks>
-        public Task<MeasureScanVolume> MeasureScanVolumeAsync(Mesh before, Mesh after, Carry carry, double[] direction = null, MeasureOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
-        {
-            return Task.Run(() => MeasureScanVolume(before, after, carry, direction, options, progress, cancellationToken), cancellationToken);
-        }
-
-        /// <summary>Moves one face rigidly onto another by a zone that has not changed (forehead, nose bridge), robustly: by
-        /// correspondence first, then by closest points, because a fit slides along a scan more than it lifts off. Surfaces
-        /// with other triangles (two scans) are brought together by closest points alone and must lie within 15 mm of each
-        /// other there. The deviations feed alignment_rotation_sd_rad, alignment_translation_sd_mm and alignment_centre.</summary>
-        /// <param name="moving">#V x 3, mm, with triangles.</param>
-        /// <param name="target">with triangles.</param>
-        /// <param name="stable">may be left out: all vertices. Vertices of target.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH, MIEN_E_NO_SOLUTION (zone
-        /// too small or straight), MIEN_E_NO_MEMORY</exception>
-        /// <remarks>C: mien_measure_align()</remarks>
-        public MeasureAlign MeasureAlign(Mesh moving, Mesh target, Zone stable = null)
-        {
-            using (var call = new Call())
-            {
-                call.Lock(this);
-                var sessionAt = call.Use(this);
-                var movingAt = call.Use(moving);
-                var targetAt = call.Use(target);
-                var stableAt = call.Record(stable, sizeof(Native.Zone), true, "stable");
-                var infoAt = call.Sized(sizeof(Native.ZoneAlignment));
-                var outAt = call.Room(8);
-                call.Check(Functions.mien_measure_align(sessionAt, movingAt, targetAt, stableAt, infoAt, outAt, call.Error));
-                return new MeasureAlign(ZoneAlignment.Read(call, infoAt), call.Keep(new Mesh(call.Pointer(outAt))));
-            }
         }
 
         /// <summary>How far raters (or one rater's sessions) agree, as JSON: confusion matrices, percent agreement, Cohen's kappa
@@ -3809,345 +4168,6 @@ namespace Mien
         }
     }
 
-    /// <summary>The first Laplace-Beltrami eigenvectors of a mean shape. Immutable: share freely.</summary>
-    public sealed unsafe class SpectralBasis : NativeObject
-    {
-        internal SpectralBasis(IntPtr owned) : base(owned, at => Functions.mien_spectral_basis_release(at)) { }
-
-        /// <summary>One more object for the same native one: each may be disposed by itself.</summary>
-        public SpectralBasis Share()
-        {
-            using (var call = new Call())
-            {
-                var at = call.Use(this);
-                Functions.mien_spectral_basis_retain(at);
-                return new SpectralBasis(at);
-            }
-        }
-
-        /// <summary>Computes the first eigenpairs of the mean shape's Laplacian by spectrum slicing; inertia counts prove that none
-        /// is missing.</summary>
-        /// <param name="mean">the mean shape, mm. Any triangle mesh.</param>
-        /// <param name="options">may be left out: 500 modes, mixed Voronoi mass, intrinsic Delaunay.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (mode_count), MIEN_E_UNSUPPORTED_OPTION, MIEN_E_INVALID_MESH,
-        /// MIEN_E_NO_SOLUTION, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
-        /// <remarks>C: mien_spectral_basis_build()</remarks>
-        public static SpectralBasis Build(Session session, Mesh mean, SpectralBasisOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
-        {
-            using (var call = new Call())
-            {
-                call.Lock(session);
-                var sessionAt = call.Use(session);
-                var meanAt = call.Use(mean);
-                var optionsAt = (options ?? new SpectralBasisOptions()).Write(call, progress, cancellationToken);
-                var outAt = call.Room(8);
-                call.Check(Functions.mien_spectral_basis_build(sessionAt, meanAt, optionsAt, outAt, call.Error));
-                return call.Keep(new SpectralBasis(call.Pointer(outAt)));
-            }
-        }
-
-        /// <summary>Computes the first eigenpairs of the mean shape's Laplacian by spectrum slicing; inertia counts prove that none
-        /// is missing.</summary>
-        /// <param name="mean">the mean shape, mm. Any triangle mesh.</param>
-        /// <param name="options">may be left out: 500 modes, mixed Voronoi mass, intrinsic Delaunay.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (mode_count), MIEN_E_UNSUPPORTED_OPTION, MIEN_E_INVALID_MESH,
-        /// MIEN_E_NO_SOLUTION, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
-        /// <remarks>C: mien_spectral_basis_build()</remarks>
-        public static Task<SpectralBasis> BuildAsync(Session session, Mesh mean, SpectralBasisOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
-        {
-            return Task.Run(() => Build(session, mean, options, progress, cancellationToken), cancellationToken);
-        }
-
-        /// <summary>Opens a basis file; the vectors stay in the mapped file.</summary>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_WRONG_KIND,
-        /// MIEN_E_UNSUPPORTED_VERSION, MIEN_E_NO_MEMORY</exception>
-        /// <remarks>C: mien_spectral_basis_load()</remarks>
-        public static SpectralBasis Load(Session session, string path)
-        {
-            using (var call = new Call())
-            {
-                call.Lock(session);
-                var sessionAt = call.Use(session);
-                var pathAt = call.Text(path);
-                var outAt = call.Room(8);
-                call.Check(Functions.mien_spectral_basis_load(sessionAt, pathAt, outAt, call.Error));
-                return call.Keep(new SpectralBasis(call.Pointer(outAt)));
-            }
-        }
-
-        /// <summary>Writes a basis file (safetensors). Atomic.</summary>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_NO_MEMORY</exception>
-        /// <remarks>C: mien_spectral_basis_save()</remarks>
-        public void Save(Session session, string path)
-        {
-            using (var call = new Call())
-            {
-                call.Lock(session);
-                var sessionAt = call.Use(session);
-                var basisAt = call.Use(this);
-                var pathAt = call.Text(path);
-                call.Check(Functions.mien_spectral_basis_save(sessionAt, basisAt, pathAt, call.Error));
-            }
-        }
-
-        /// <summary>Numbers of vertices and modes.</summary>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE</exception>
-        /// <remarks>C: mien_spectral_basis_get_counts()</remarks>
-        public SpectralBasisCounts GetCounts()
-        {
-            using (var call = new Call())
-            {
-                var basisAt = call.Use(this);
-                var vertexCountAt = call.Room(8);
-                var modeCountAt = call.Room(8);
-                call.Check(Functions.mien_spectral_basis_get_counts(basisAt, vertexCountAt, modeCountAt, call.Error));
-                return new SpectralBasisCounts(*(ulong*)vertexCountAt, *(ulong*)modeCountAt);
-            }
-        }
-
-        /// <summary>Copies the eigenvalues, ascending, 1/mm^2. With dst null and capacity 0: writes the count only.</summary>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT</exception>
-        /// <remarks>C: mien_spectral_basis_get_eigenvalues()</remarks>
-        public double[] GetEigenvalues()
-        {
-            using (var call = new Call())
-            {
-                var basisAt = call.Use(this);
-                var countAt = call.Room(8);
-                long capacity = call.FirstCapacity(8);
-                IntPtr dstAt;
-                do {
-                    dstAt = call.Room(capacity * 8);
-                } while ((capacity = call.More(Functions.mien_spectral_basis_get_eigenvalues(basisAt, dstAt, (ulong)capacity, countAt, call.Error), capacity, countAt)) != 0);
-                var rows = call.Count(countAt);
-                return call.ReadDoubles(dstAt, rows);
-            }
-        }
-    }
-
-    /// <summary>Predicts one expression of a person from the neutral face. Immutable: share freely.</summary>
-    public sealed unsafe class BlendshapeModel : NativeObject
-    {
-        internal BlendshapeModel(IntPtr owned) : base(owned, at => Functions.mien_blendshape_model_release(at)) { }
-
-        /// <summary>One more object for the same native one: each may be disposed by itself.</summary>
-        public BlendshapeModel Share()
-        {
-            using (var call = new Call())
-            {
-                var at = call.Use(this);
-                Functions.mien_blendshape_model_retain(at);
-                return new BlendshapeModel(at);
-            }
-        }
-
-        /// <summary>Learns to predict one expression from the neutral face, on every subject of a dataset that has both.</summary>
-        /// <param name="datasetPath">a dataset file whose names include "neutral".</param>
-        /// <param name="expression">a name of the dataset.</param>
-        /// <param name="options">may be left out.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (fewer than 2 subjects, ridge), MIEN_E_NOT_FOUND (expression),
-        /// MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_NO_SOLUTION, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY,
-        /// MIEN_E_CANCELLED</exception>
-        /// <remarks>C: mien_blendshape_model_train()</remarks>
-        public static BlendshapeModel Train(Session session, string datasetPath, string expression, BlendshapeOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
-        {
-            using (var call = new Call())
-            {
-                call.Lock(session);
-                var sessionAt = call.Use(session);
-                var datasetPathAt = call.Text(datasetPath);
-                var expressionAt = call.Text(expression);
-                var optionsAt = (options ?? new BlendshapeOptions()).Write(call, progress, cancellationToken);
-                var outAt = call.Room(8);
-                call.Check(Functions.mien_blendshape_model_train(sessionAt, datasetPathAt, expressionAt, optionsAt, outAt, call.Error));
-                return call.Keep(new BlendshapeModel(call.Pointer(outAt)));
-            }
-        }
-
-        /// <summary>Learns to predict one expression from the neutral face, on every subject of a dataset that has both.</summary>
-        /// <param name="datasetPath">a dataset file whose names include "neutral".</param>
-        /// <param name="expression">a name of the dataset.</param>
-        /// <param name="options">may be left out.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (fewer than 2 subjects, ridge), MIEN_E_NOT_FOUND (expression),
-        /// MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_NO_SOLUTION, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY,
-        /// MIEN_E_CANCELLED</exception>
-        /// <remarks>C: mien_blendshape_model_train()</remarks>
-        public static Task<BlendshapeModel> TrainAsync(Session session, string datasetPath, string expression, BlendshapeOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
-        {
-            return Task.Run(() => Train(session, datasetPath, expression, options, progress, cancellationToken), cancellationToken);
-        }
-
-        /// <summary>Opens a blendshape model file.</summary>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_WRONG_KIND,
-        /// MIEN_E_UNSUPPORTED_VERSION, MIEN_E_NO_MEMORY</exception>
-        /// <remarks>C: mien_blendshape_model_load()</remarks>
-        public static BlendshapeModel Load(Session session, string path)
-        {
-            using (var call = new Call())
-            {
-                call.Lock(session);
-                var sessionAt = call.Use(session);
-                var pathAt = call.Text(path);
-                var outAt = call.Room(8);
-                call.Check(Functions.mien_blendshape_model_load(sessionAt, pathAt, outAt, call.Error));
-                return call.Keep(new BlendshapeModel(call.Pointer(outAt)));
-            }
-        }
-
-        /// <summary>Writes a blendshape model file (safetensors). Atomic.</summary>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_NO_MEMORY</exception>
-        /// <remarks>C: mien_blendshape_model_save()</remarks>
-        public void Save(Session session, string path)
-        {
-            using (var call = new Call())
-            {
-                call.Lock(session);
-                var sessionAt = call.Use(session);
-                var modelAt = call.Use(this);
-                var pathAt = call.Text(path);
-                call.Check(Functions.mien_blendshape_model_save(sessionAt, modelAt, pathAt, call.Error));
-            }
-        }
-
-        /// <summary>The mean of the neutral training faces, centred: the mesh that a basis for this model is built on.</summary>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_NO_MEMORY</exception>
-        /// <remarks>C: mien_blendshape_model_get_mean()</remarks>
-        public Mesh GetMean()
-        {
-            using (var call = new Call())
-            {
-                var modelAt = call.Use(this);
-                var outAt = call.Room(8);
-                call.Check(Functions.mien_blendshape_model_get_mean(modelAt, outAt, call.Error));
-                return call.Keep(new Mesh(call.Pointer(outAt)));
-            }
-        }
-
-        /// <summary>A person's expression from the neutral face, in its frame.</summary>
-        /// <param name="k">low frequencies from the coordinates' prediction, high ones from the deformations'; 0 to the basis' modes, #V or
-        /// more: coordinates alone.</param>
-        /// <param name="neutral">#V vertices, mm.</param>
-        /// <param name="basis">may be left out: then k = 0 gives the deformations' prediction, any other k the coordinates'.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (k), MIEN_E_MISMATCH (vertex counts), MIEN_E_NO_SOLUTION,
-        /// MIEN_E_NO_MEMORY</exception>
-        /// <remarks>C: mien_blendshape_model_predict()</remarks>
-        public Mesh Predict(Session session, ulong k, Mesh neutral, SpectralBasis basis = null)
-        {
-            using (var call = new Call())
-            {
-                call.Lock(session);
-                var sessionAt = call.Use(session);
-                var modelAt = call.Use(this);
-                var basisAt = call.UseOrNull(basis);
-                var neutralAt = call.Use(neutral);
-                var outAt = call.Room(8);
-                call.Check(Functions.mien_blendshape_model_predict(sessionAt, modelAt, basisAt, k, neutralAt, outAt, call.Error));
-                return call.Keep(new Mesh(call.Pointer(outAt)));
-            }
-        }
-
-        /// <summary>Tries values of k on a dataset's subjects that the model was not trained on.</summary>
-        /// <param name="datasetPath">subjects with a neutral face and the expression.</param>
-        /// <param name="candidates">candidate_count values of k; above the basis' modes: coordinates alone.</param>
-        /// <param name="options">may be left out; its ridge is not read.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NOT_FOUND (expression), MIEN_E_MISMATCH, MIEN_E_IO,
-        /// MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
-        /// <remarks>C: mien_blendshape_model_search()</remarks>
-        public BandChoice[] Search(Session session, SpectralBasis basis, string datasetPath, string expression, ulong[] candidates, BlendshapeOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
-        {
-            using (var call = new Call())
-            {
-                call.Required(candidates, "candidates");
-                call.Lock(session);
-                var sessionAt = call.Use(session);
-                var modelAt = call.Use(this);
-                var basisAt = call.Use(basis);
-                var datasetPathAt = call.Text(datasetPath);
-                var expressionAt = call.Text(expression);
-                var candidateCount = call.Rows(candidates, 1, "candidates");
-                var candidatesAt = call.Array(candidates);
-                var optionsAt = (options ?? new BlendshapeOptions()).Write(call, progress, cancellationToken);
-                var choicesAt = call.Room(candidateCount * sizeof(Native.BandChoice));
-                call.Check(Functions.mien_blendshape_model_search(sessionAt, modelAt, basisAt, datasetPathAt, expressionAt, candidatesAt, (uint)candidateCount, optionsAt, choicesAt, call.Error));
-                return call.ReadRecords(choicesAt, candidateCount, sizeof(Native.BandChoice), BandChoice.Read);
-            }
-        }
-
-        /// <summary>Tries values of k on a dataset's subjects that the model was not trained on.</summary>
-        /// <param name="datasetPath">subjects with a neutral face and the expression.</param>
-        /// <param name="candidates">candidate_count values of k; above the basis' modes: coordinates alone.</param>
-        /// <param name="options">may be left out; its ridge is not read.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NOT_FOUND (expression), MIEN_E_MISMATCH, MIEN_E_IO,
-        /// MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
-        /// <remarks>C: mien_blendshape_model_search()</remarks>
-        public Task<BandChoice[]> SearchAsync(Session session, SpectralBasis basis, string datasetPath, string expression, ulong[] candidates, BlendshapeOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
-        {
-            return Task.Run(() => Search(session, basis, datasetPath, expression, candidates, options, progress, cancellationToken), cancellationToken);
-        }
-    }
-
-    /// <summary>Collects faces with a subject and an expression each, then saves them as one safetensors file: vertices f32 [s,
-    /// n, 3], subject i32 [s], expression i32 [s], triangles u32 [m, 3]. Externally synchronized.</summary>
-    public sealed unsafe class DatasetWriter : NativeObject
-    {
-        internal DatasetWriter(IntPtr owned) : base(owned, at => Functions.mien_dataset_writer_release(at)) { }
-
-        /// <summary>Starts a dataset in the topology of a mesh.</summary>
-        /// <param name="topology">its triangles and vertex count hold for all faces.</param>
-        /// <param name="expressionNames">expression_count UTF-8 names. One should be "neutral".</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NO_MEMORY</exception>
-        /// <remarks>C: mien_dataset_writer_create()</remarks>
-        public static DatasetWriter Create(Session session, Mesh topology, IReadOnlyList<string> expressionNames)
-        {
-            using (var call = new Call())
-            {
-                call.Required(expressionNames, "expression_names");
-                call.Lock(session);
-                var sessionAt = call.Use(session);
-                var topologyAt = call.Use(topology);
-                var expressionCount = call.Rows(expressionNames, 1, "expression_names");
-                var expressionNamesAt = call.Texts(expressionNames);
-                var outAt = call.Room(8);
-                call.Check(Functions.mien_dataset_writer_create(sessionAt, topologyAt, expressionNamesAt, (uint)expressionCount, outAt, call.Error));
-                return call.Keep(new DatasetWriter(call.Pointer(outAt)));
-            }
-        }
-
-        /// <summary>Adds one face; its positions are copied.</summary>
-        /// <param name="positions">#V x 3, F32 or F64, mm.</param>
-        /// <param name="subject">any number that names the person.</param>
-        /// <param name="expression">index into the expression names.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MISMATCH (vertex count), MIEN_E_INVALID_MESH (not
-        /// finite), MIEN_E_NO_MEMORY</exception>
-        /// <remarks>C: mien_dataset_writer_add()</remarks>
-        public void Add(Values positions, int subject, int expression)
-        {
-            using (var call = new Call())
-            {
-                call.Lock(this);
-                var writerAt = call.Use(this);
-                var positionsAt = call.View(positions, 3, "positions");
-                call.Check(Functions.mien_dataset_writer_add(writerAt, positionsAt, subject, expression, call.Error));
-            }
-        }
-
-        /// <summary>Writes all faces added so far. Atomic; more may be added and saved again.</summary>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (no face), MIEN_E_IO, MIEN_E_NO_MEMORY</exception>
-        /// <remarks>C: mien_dataset_writer_save()</remarks>
-        public void Save(Session session, string path)
-        {
-            using (var call = new Call())
-            {
-                call.Lock(session);
-                call.Lock(this);
-                var sessionAt = call.Use(session);
-                var writerAt = call.Use(this);
-                var pathAt = call.Text(path);
-                call.Check(Functions.mien_dataset_writer_save(sessionAt, writerAt, pathAt, call.Error));
-            }
-        }
-    }
-
     /// <summary>A template with its modes of deformation: u(x) = mean(x) + sum_j basis_j(x) a_j + sum_k mode_k(x) c_k, a and c
     /// standard normal; basis_j are scalar and serve x, y and z, mode_k come from faces. Built or loaded once.
     /// Immutable: share freely between threads.</summary>
@@ -4648,6 +4668,25 @@ namespace Mien
                 return call.ReadText(dstAt, call.Count(countAt));
             }
         }
+
+        /// <summary>The landmarks of a template and, beside them, those of its profile that its shape defines by itself: glabella,
+        /// nasion, columella, sublabiale and pogonion, where they are not among the given ones. Every face in the
+        /// template's topology has them at the same vertices.</summary>
+        /// <param name="templateMesh">symmetric about its plane x = 0, +y up, +z forward (mien_model_mesh()).</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NOT_FOUND (a landmark that the search starts from),
+        /// MIEN_E_MISMATCH (vertex), MIEN_E_INVALID_MESH (not symmetric, no midline), MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_landmarks_add_profile()</remarks>
+        public Landmarks AddProfile(Mesh templateMesh)
+        {
+            using (var call = new Call())
+            {
+                var landmarksAt = call.Use(this);
+                var templateMeshAt = call.Use(templateMesh);
+                var outAt = call.Room(8);
+                call.Check(Functions.mien_landmarks_add_profile(landmarksAt, templateMeshAt, outAt, call.Error));
+                return call.Keep(new Landmarks(call.Pointer(outAt)));
+            }
+        }
     }
 
     /// <summary>A list of named sets of vertices. Immutable: share freely.</summary>
@@ -4766,6 +4805,636 @@ namespace Mien
                 } while ((capacity = call.More(Functions.mien_zones_get_vertices(zonesAt, index, dstAt, (ulong)capacity, countAt, call.Error), capacity, countAt)) != 0);
                 var rows = call.Count(countAt);
                 return call.ReadUints(dstAt, rows);
+            }
+        }
+    }
+
+    /// <summary>The measurements of one face. Immutable: share freely.</summary>
+    public sealed unsafe class Anthropometry : NativeObject
+    {
+        internal Anthropometry(IntPtr owned) : base(owned, at => Functions.mien_anthropometry_release(at)) { }
+
+        /// <summary>How many measurements there are, and how many of them have a value.</summary>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE</exception>
+        /// <remarks>C: mien_anthropometry_get_counts()</remarks>
+        public AnthropometryCounts GetCounts()
+        {
+            using (var call = new Call())
+            {
+                var anthropometryAt = call.Use(this);
+                var countAt = call.Room(8);
+                var knownCountAt = call.Room(8);
+                call.Check(Functions.mien_anthropometry_get_counts(anthropometryAt, countAt, knownCountAt, call.Error));
+                return new AnthropometryCounts(*(ulong*)countAt, *(ulong*)knownCountAt);
+            }
+        }
+
+        /// <summary>The name of one measurement, such as "n-gn".</summary>
+        /// <param name="index">below the count.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NOT_FOUND (index)</exception>
+        /// <remarks>C: mien_anthropometry_get_name()</remarks>
+        public string GetName(ulong index)
+        {
+            using (var call = new Call())
+            {
+                var anthropometryAt = call.Use(this);
+                var countAt = call.Room(8);
+                long capacity = call.FirstCapacity(1);
+                IntPtr dstAt;
+                do {
+                    dstAt = call.Room(capacity);
+                } while ((capacity = call.More(Functions.mien_anthropometry_get_name(anthropometryAt, index, dstAt, (ulong)capacity, countAt, call.Error), capacity, countAt)) != 0);
+                return call.ReadText(dstAt, call.Count(countAt));
+            }
+        }
+
+        /// <summary>One measurement.</summary>
+        /// <param name="index">below the count.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NOT_FOUND (index)</exception>
+        /// <remarks>C: mien_anthropometry_get_value()</remarks>
+        public AnthropometricValue GetValue(ulong index)
+        {
+            using (var call = new Call())
+            {
+                var anthropometryAt = call.Use(this);
+                var outAt = call.Sized(sizeof(Native.AnthropometricValue));
+                call.Check(Functions.mien_anthropometry_get_value(anthropometryAt, index, outAt, call.Error));
+                return AnthropometricValue.Read(call, outAt);
+            }
+        }
+
+        /// <summary>Why one measurement has no value, in words; empty where it has one.</summary>
+        /// <param name="index">below the count.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NOT_FOUND (index)</exception>
+        /// <remarks>C: mien_anthropometry_get_reason()</remarks>
+        public string GetReason(ulong index)
+        {
+            using (var call = new Call())
+            {
+                var anthropometryAt = call.Use(this);
+                var countAt = call.Room(8);
+                long capacity = call.FirstCapacity(1);
+                IntPtr dstAt;
+                do {
+                    dstAt = call.Room(capacity);
+                } while ((capacity = call.More(Functions.mien_anthropometry_get_reason(anthropometryAt, index, dstAt, (ulong)capacity, countAt, call.Error), capacity, countAt)) != 0);
+                return call.ReadText(dstAt, call.Count(countAt));
+            }
+        }
+
+        /// <summary>All measurements as JSON text: name, title, kind, unit, landmarks, source, value, sd, reason, z; and which of
+        /// the face's landmarks stand for those of the field.</summary>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE</exception>
+        /// <remarks>C: mien_anthropometry_get_json()</remarks>
+        public string GetJson()
+        {
+            using (var call = new Call())
+            {
+                var anthropometryAt = call.Use(this);
+                var countAt = call.Room(8);
+                long capacity = call.FirstCapacity(1);
+                IntPtr dstAt;
+                do {
+                    dstAt = call.Room(capacity);
+                } while ((capacity = call.More(Functions.mien_anthropometry_get_json(anthropometryAt, dstAt, (ulong)capacity, countAt, call.Error), capacity, countAt)) != 0);
+                return call.ReadText(dstAt, call.Count(countAt));
+            }
+        }
+    }
+
+    /// <summary>Mean and deviation of each measurement over the people of a dataset. Immutable: share freely.</summary>
+    public sealed unsafe class Norms : NativeObject
+    {
+        internal Norms(IntPtr owned) : base(owned, at => Functions.mien_norms_release(at)) { }
+
+        /// <summary>Norms over the neutral faces of a dataset, one vote per person. Norms are for the population of the dataset and
+        /// for faces in its topology: the same landmark lies elsewhere on another template.</summary>
+        /// <param name="datasetPath">faces of ten people or more.</param>
+        /// <param name="landmarks">vertices of the dataset's faces.</param>
+        /// <param name="options">may be left out; progress and cancel are read.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (fewer than ten people, landmarks that are no vertices),
+        /// MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_NOT_FOUND (no neutral faces, no measurement has its landmarks),
+        /// MIEN_E_MISMATCH (landmarks), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
+        /// <remarks>C: mien_norms_create()</remarks>
+        public static Norms Create(Session session, string datasetPath, Landmarks landmarks, AnthropometryOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            using (var call = new Call())
+            {
+                call.Lock(session);
+                var sessionAt = call.Use(session);
+                var datasetPathAt = call.Text(datasetPath);
+                var landmarksAt = call.Use(landmarks);
+                var optionsAt = (options ?? new AnthropometryOptions()).Write(call, progress, cancellationToken);
+                var outAt = call.Room(8);
+                call.Check(Functions.mien_norms_create(sessionAt, datasetPathAt, landmarksAt, optionsAt, outAt, call.Error));
+                return call.Keep(new Norms(call.Pointer(outAt)));
+            }
+        }
+
+        /// <summary>Norms over the neutral faces of a dataset, one vote per person. Norms are for the population of the dataset and
+        /// for faces in its topology: the same landmark lies elsewhere on another template.</summary>
+        /// <param name="datasetPath">faces of ten people or more.</param>
+        /// <param name="landmarks">vertices of the dataset's faces.</param>
+        /// <param name="options">may be left out; progress and cancel are read.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (fewer than ten people, landmarks that are no vertices),
+        /// MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_NOT_FOUND (no neutral faces, no measurement has its landmarks),
+        /// MIEN_E_MISMATCH (landmarks), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
+        /// <remarks>C: mien_norms_create()</remarks>
+        public static Task<Norms> CreateAsync(Session session, string datasetPath, Landmarks landmarks, AnthropometryOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            return Task.Run(() => Create(session, datasetPath, landmarks, options, progress, cancellationToken), cancellationToken);
+        }
+
+        /// <summary>Reads norms that mien_norms_save() wrote, or that a host wrote from the literature: {"norms": {"n-gn": {"mean":
+        /// 121.3, "sd": 6.8, "people": 109}}}.</summary>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (a norm of fewer than ten people, or given twice), MIEN_E_IO,
+        /// MIEN_E_BAD_FORMAT, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_norms_load()</remarks>
+        public static Norms Load(Session session, string path)
+        {
+            using (var call = new Call())
+            {
+                call.Lock(session);
+                var sessionAt = call.Use(session);
+                var pathAt = call.Text(path);
+                var outAt = call.Room(8);
+                call.Check(Functions.mien_norms_load(sessionAt, pathAt, outAt, call.Error));
+                return call.Keep(new Norms(call.Pointer(outAt)));
+            }
+        }
+
+        /// <summary>Writes norms as JSON. Atomic.</summary>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_norms_save()</remarks>
+        public void Save(Session session, string path)
+        {
+            using (var call = new Call())
+            {
+                call.Lock(session);
+                var sessionAt = call.Use(session);
+                var normsAt = call.Use(this);
+                var pathAt = call.Text(path);
+                call.Check(Functions.mien_norms_save(sessionAt, normsAt, pathAt, call.Error));
+            }
+        }
+
+        /// <summary>The norms as JSON text, as mien_norms_save() writes it.</summary>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE</exception>
+        /// <remarks>C: mien_norms_get_json()</remarks>
+        public string GetJson()
+        {
+            using (var call = new Call())
+            {
+                var normsAt = call.Use(this);
+                var countAt = call.Room(8);
+                long capacity = call.FirstCapacity(1);
+                IntPtr dstAt;
+                do {
+                    dstAt = call.Room(capacity);
+                } while ((capacity = call.More(Functions.mien_norms_get_json(normsAt, dstAt, (ulong)capacity, countAt, call.Error), capacity, countAt)) != 0);
+                return call.ReadText(dstAt, call.Count(countAt));
+            }
+        }
+    }
+
+    /// <summary>What was measured: numbers per zone and values per vertex. Immutable: share freely.</summary>
+    public sealed unsafe class Measurement : NativeObject
+    {
+        internal Measurement(IntPtr owned) : base(owned, at => Functions.mien_measurement_release(at)) { }
+
+        /// <summary>How many zones were measured.</summary>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE</exception>
+        /// <remarks>C: mien_measurement_get_zones()</remarks>
+        public MeasurementZones GetZones()
+        {
+            using (var call = new Call())
+            {
+                var measurementAt = call.Use(this);
+                var zoneCountAt = call.Room(8);
+                var zonesDisjointAt = call.Room(8);
+                call.Check(Functions.mien_measurement_get_zones(measurementAt, zoneCountAt, zonesDisjointAt, call.Error));
+                return new MeasurementZones(*(uint*)zoneCountAt, *(int*)zonesDisjointAt);
+            }
+        }
+
+        /// <summary>The volume of a zone.</summary>
+        /// <param name="zone">0 .. zone_count - 1, MIEN_ZONE_WHOLE or MIEN_ZONE_REST.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NOT_FOUND (no such zone, no volume in it)</exception>
+        /// <remarks>C: mien_measurement_get_volume()</remarks>
+        public ZoneVolume GetVolume(int zone)
+        {
+            using (var call = new Call())
+            {
+                var measurementAt = call.Use(this);
+                var outAt = call.Sized(sizeof(Native.ZoneVolume));
+                call.Check(Functions.mien_measurement_get_volume(measurementAt, zone, outAt, call.Error));
+                return ZoneVolume.Read(call, outAt);
+            }
+        }
+
+        /// <summary>The distances of a zone.</summary>
+        /// <param name="zone">0 .. zone_count - 1 or MIEN_ZONE_WHOLE.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NOT_FOUND (no such zone, no distance in it)</exception>
+        /// <remarks>C: mien_measurement_get_distance()</remarks>
+        public ZoneDistance GetDistance(int zone)
+        {
+            using (var call = new Call())
+            {
+                var measurementAt = call.Use(this);
+                var outAt = call.Sized(sizeof(Native.ZoneDistance));
+                call.Check(Functions.mien_measurement_get_distance(measurementAt, zone, outAt, call.Error));
+                return ZoneDistance.Read(call, outAt);
+            }
+        }
+
+        /// <summary>Copies a field with one float64 per vertex of the before face; NaN where there was no partner.</summary>
+        /// <param name="field">MIEN_FIELD_*.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_NOT_FOUND (this measurement has no such field)</exception>
+        /// <remarks>C: mien_measurement_get_field()</remarks>
+        public double[] GetField(Field field)
+        {
+            using (var call = new Call())
+            {
+                var measurementAt = call.Use(this);
+                var countAt = call.Room(8);
+                long capacity = call.FirstCapacity(8);
+                IntPtr dstAt;
+                do {
+                    dstAt = call.Room(capacity * 8);
+                } while ((capacity = call.More(Functions.mien_measurement_get_field(measurementAt, (int)field, dstAt, (ulong)capacity, countAt, call.Error), capacity, countAt)) != 0);
+                var rows = call.Count(countAt);
+                return call.ReadDoubles(dstAt, rows);
+            }
+        }
+
+        /// <summary>The whole measurement as JSON text.</summary>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_measurement_get_json()</remarks>
+        public string GetJson()
+        {
+            using (var call = new Call())
+            {
+                var measurementAt = call.Use(this);
+                var countAt = call.Room(8);
+                long capacity = call.FirstCapacity(1);
+                IntPtr dstAt;
+                do {
+                    dstAt = call.Room(capacity);
+                } while ((capacity = call.More(Functions.mien_measurement_get_json(measurementAt, dstAt, (ulong)capacity, countAt, call.Error), capacity, countAt)) != 0);
+                return call.ReadText(dstAt, call.Count(countAt));
+            }
+        }
+
+        /// <summary>The mirror plane of a comparison of left and right.</summary>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NOT_FOUND (another measurement)</exception>
+        /// <remarks>C: mien_measurement_get_mirror_plane()</remarks>
+        public MirrorPlane GetMirrorPlane()
+        {
+            using (var call = new Call())
+            {
+                var measurementAt = call.Use(this);
+                var outAt = call.Sized(sizeof(Native.MirrorPlane));
+                call.Check(Functions.mien_measurement_get_mirror_plane(measurementAt, outAt, call.Error));
+                return MirrorPlane.Read(call, outAt);
+            }
+        }
+    }
+
+    /// <summary>The first Laplace-Beltrami eigenvectors of a mean shape. Immutable: share freely.</summary>
+    public sealed unsafe class SpectralBasis : NativeObject
+    {
+        internal SpectralBasis(IntPtr owned) : base(owned, at => Functions.mien_spectral_basis_release(at)) { }
+
+        /// <summary>One more object for the same native one: each may be disposed by itself.</summary>
+        public SpectralBasis Share()
+        {
+            using (var call = new Call())
+            {
+                var at = call.Use(this);
+                Functions.mien_spectral_basis_retain(at);
+                return new SpectralBasis(at);
+            }
+        }
+
+        /// <summary>Computes the first eigenpairs of the mean shape's Laplacian by spectrum slicing; inertia counts prove that none
+        /// is missing.</summary>
+        /// <param name="mean">the mean shape, mm. Any triangle mesh.</param>
+        /// <param name="options">may be left out: 500 modes, mixed Voronoi mass, intrinsic Delaunay.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (mode_count), MIEN_E_UNSUPPORTED_OPTION, MIEN_E_INVALID_MESH,
+        /// MIEN_E_NO_SOLUTION, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
+        /// <remarks>C: mien_spectral_basis_build()</remarks>
+        public static SpectralBasis Build(Session session, Mesh mean, SpectralBasisOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            using (var call = new Call())
+            {
+                call.Lock(session);
+                var sessionAt = call.Use(session);
+                var meanAt = call.Use(mean);
+                var optionsAt = (options ?? new SpectralBasisOptions()).Write(call, progress, cancellationToken);
+                var outAt = call.Room(8);
+                call.Check(Functions.mien_spectral_basis_build(sessionAt, meanAt, optionsAt, outAt, call.Error));
+                return call.Keep(new SpectralBasis(call.Pointer(outAt)));
+            }
+        }
+
+        /// <summary>Computes the first eigenpairs of the mean shape's Laplacian by spectrum slicing; inertia counts prove that none
+        /// is missing.</summary>
+        /// <param name="mean">the mean shape, mm. Any triangle mesh.</param>
+        /// <param name="options">may be left out: 500 modes, mixed Voronoi mass, intrinsic Delaunay.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (mode_count), MIEN_E_UNSUPPORTED_OPTION, MIEN_E_INVALID_MESH,
+        /// MIEN_E_NO_SOLUTION, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
+        /// <remarks>C: mien_spectral_basis_build()</remarks>
+        public static Task<SpectralBasis> BuildAsync(Session session, Mesh mean, SpectralBasisOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            return Task.Run(() => Build(session, mean, options, progress, cancellationToken), cancellationToken);
+        }
+
+        /// <summary>Opens a basis file; the vectors stay in the mapped file.</summary>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_WRONG_KIND,
+        /// MIEN_E_UNSUPPORTED_VERSION, MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_spectral_basis_load()</remarks>
+        public static SpectralBasis Load(Session session, string path)
+        {
+            using (var call = new Call())
+            {
+                call.Lock(session);
+                var sessionAt = call.Use(session);
+                var pathAt = call.Text(path);
+                var outAt = call.Room(8);
+                call.Check(Functions.mien_spectral_basis_load(sessionAt, pathAt, outAt, call.Error));
+                return call.Keep(new SpectralBasis(call.Pointer(outAt)));
+            }
+        }
+
+        /// <summary>Writes a basis file (safetensors). Atomic.</summary>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_spectral_basis_save()</remarks>
+        public void Save(Session session, string path)
+        {
+            using (var call = new Call())
+            {
+                call.Lock(session);
+                var sessionAt = call.Use(session);
+                var basisAt = call.Use(this);
+                var pathAt = call.Text(path);
+                call.Check(Functions.mien_spectral_basis_save(sessionAt, basisAt, pathAt, call.Error));
+            }
+        }
+
+        /// <summary>Numbers of vertices and modes.</summary>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE</exception>
+        /// <remarks>C: mien_spectral_basis_get_counts()</remarks>
+        public SpectralBasisCounts GetCounts()
+        {
+            using (var call = new Call())
+            {
+                var basisAt = call.Use(this);
+                var vertexCountAt = call.Room(8);
+                var modeCountAt = call.Room(8);
+                call.Check(Functions.mien_spectral_basis_get_counts(basisAt, vertexCountAt, modeCountAt, call.Error));
+                return new SpectralBasisCounts(*(ulong*)vertexCountAt, *(ulong*)modeCountAt);
+            }
+        }
+
+        /// <summary>Copies the eigenvalues, ascending, 1/mm^2. With dst null and capacity 0: writes the count only.</summary>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT</exception>
+        /// <remarks>C: mien_spectral_basis_get_eigenvalues()</remarks>
+        public double[] GetEigenvalues()
+        {
+            using (var call = new Call())
+            {
+                var basisAt = call.Use(this);
+                var countAt = call.Room(8);
+                long capacity = call.FirstCapacity(8);
+                IntPtr dstAt;
+                do {
+                    dstAt = call.Room(capacity * 8);
+                } while ((capacity = call.More(Functions.mien_spectral_basis_get_eigenvalues(basisAt, dstAt, (ulong)capacity, countAt, call.Error), capacity, countAt)) != 0);
+                var rows = call.Count(countAt);
+                return call.ReadDoubles(dstAt, rows);
+            }
+        }
+    }
+
+    /// <summary>Predicts one expression of a person from the neutral face. Immutable: share freely.</summary>
+    public sealed unsafe class BlendshapeModel : NativeObject
+    {
+        internal BlendshapeModel(IntPtr owned) : base(owned, at => Functions.mien_blendshape_model_release(at)) { }
+
+        /// <summary>One more object for the same native one: each may be disposed by itself.</summary>
+        public BlendshapeModel Share()
+        {
+            using (var call = new Call())
+            {
+                var at = call.Use(this);
+                Functions.mien_blendshape_model_retain(at);
+                return new BlendshapeModel(at);
+            }
+        }
+
+        /// <summary>Learns to predict one expression from the neutral face, on every subject of a dataset that has both.</summary>
+        /// <param name="datasetPath">a dataset file whose names include "neutral".</param>
+        /// <param name="expression">a name of the dataset.</param>
+        /// <param name="options">may be left out.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (fewer than 2 subjects, ridge), MIEN_E_NOT_FOUND (expression),
+        /// MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_NO_SOLUTION, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY,
+        /// MIEN_E_CANCELLED</exception>
+        /// <remarks>C: mien_blendshape_model_train()</remarks>
+        public static BlendshapeModel Train(Session session, string datasetPath, string expression, BlendshapeOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            using (var call = new Call())
+            {
+                call.Lock(session);
+                var sessionAt = call.Use(session);
+                var datasetPathAt = call.Text(datasetPath);
+                var expressionAt = call.Text(expression);
+                var optionsAt = (options ?? new BlendshapeOptions()).Write(call, progress, cancellationToken);
+                var outAt = call.Room(8);
+                call.Check(Functions.mien_blendshape_model_train(sessionAt, datasetPathAt, expressionAt, optionsAt, outAt, call.Error));
+                return call.Keep(new BlendshapeModel(call.Pointer(outAt)));
+            }
+        }
+
+        /// <summary>Learns to predict one expression from the neutral face, on every subject of a dataset that has both.</summary>
+        /// <param name="datasetPath">a dataset file whose names include "neutral".</param>
+        /// <param name="expression">a name of the dataset.</param>
+        /// <param name="options">may be left out.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (fewer than 2 subjects, ridge), MIEN_E_NOT_FOUND (expression),
+        /// MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_NO_SOLUTION, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY,
+        /// MIEN_E_CANCELLED</exception>
+        /// <remarks>C: mien_blendshape_model_train()</remarks>
+        public static Task<BlendshapeModel> TrainAsync(Session session, string datasetPath, string expression, BlendshapeOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            return Task.Run(() => Train(session, datasetPath, expression, options, progress, cancellationToken), cancellationToken);
+        }
+
+        /// <summary>Opens a blendshape model file.</summary>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_WRONG_KIND,
+        /// MIEN_E_UNSUPPORTED_VERSION, MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_blendshape_model_load()</remarks>
+        public static BlendshapeModel Load(Session session, string path)
+        {
+            using (var call = new Call())
+            {
+                call.Lock(session);
+                var sessionAt = call.Use(session);
+                var pathAt = call.Text(path);
+                var outAt = call.Room(8);
+                call.Check(Functions.mien_blendshape_model_load(sessionAt, pathAt, outAt, call.Error));
+                return call.Keep(new BlendshapeModel(call.Pointer(outAt)));
+            }
+        }
+
+        /// <summary>Writes a blendshape model file (safetensors). Atomic.</summary>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_blendshape_model_save()</remarks>
+        public void Save(Session session, string path)
+        {
+            using (var call = new Call())
+            {
+                call.Lock(session);
+                var sessionAt = call.Use(session);
+                var modelAt = call.Use(this);
+                var pathAt = call.Text(path);
+                call.Check(Functions.mien_blendshape_model_save(sessionAt, modelAt, pathAt, call.Error));
+            }
+        }
+
+        /// <summary>The mean of the neutral training faces, centred: the mesh that a basis for this model is built on.</summary>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_blendshape_model_get_mean()</remarks>
+        public Mesh GetMean()
+        {
+            using (var call = new Call())
+            {
+                var modelAt = call.Use(this);
+                var outAt = call.Room(8);
+                call.Check(Functions.mien_blendshape_model_get_mean(modelAt, outAt, call.Error));
+                return call.Keep(new Mesh(call.Pointer(outAt)));
+            }
+        }
+
+        /// <summary>A person's expression from the neutral face, in its frame.</summary>
+        /// <param name="k">low frequencies from the coordinates' prediction, high ones from the deformations'; 0 to the basis' modes, #V or
+        /// more: coordinates alone.</param>
+        /// <param name="neutral">#V vertices, mm.</param>
+        /// <param name="basis">may be left out: then k = 0 gives the deformations' prediction, any other k the coordinates'.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (k), MIEN_E_MISMATCH (vertex counts), MIEN_E_NO_SOLUTION,
+        /// MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_blendshape_model_predict()</remarks>
+        public Mesh Predict(Session session, ulong k, Mesh neutral, SpectralBasis basis = null)
+        {
+            using (var call = new Call())
+            {
+                call.Lock(session);
+                var sessionAt = call.Use(session);
+                var modelAt = call.Use(this);
+                var basisAt = call.UseOrNull(basis);
+                var neutralAt = call.Use(neutral);
+                var outAt = call.Room(8);
+                call.Check(Functions.mien_blendshape_model_predict(sessionAt, modelAt, basisAt, k, neutralAt, outAt, call.Error));
+                return call.Keep(new Mesh(call.Pointer(outAt)));
+            }
+        }
+
+        /// <summary>Tries values of k on a dataset's subjects that the model was not trained on.</summary>
+        /// <param name="datasetPath">subjects with a neutral face and the expression.</param>
+        /// <param name="candidates">candidate_count values of k; above the basis' modes: coordinates alone.</param>
+        /// <param name="options">may be left out; its ridge is not read.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NOT_FOUND (expression), MIEN_E_MISMATCH, MIEN_E_IO,
+        /// MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
+        /// <remarks>C: mien_blendshape_model_search()</remarks>
+        public BandChoice[] Search(Session session, SpectralBasis basis, string datasetPath, string expression, ulong[] candidates, BlendshapeOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            using (var call = new Call())
+            {
+                call.Required(candidates, "candidates");
+                call.Lock(session);
+                var sessionAt = call.Use(session);
+                var modelAt = call.Use(this);
+                var basisAt = call.Use(basis);
+                var datasetPathAt = call.Text(datasetPath);
+                var expressionAt = call.Text(expression);
+                var candidateCount = call.Rows(candidates, 1, "candidates");
+                var candidatesAt = call.Array(candidates);
+                var optionsAt = (options ?? new BlendshapeOptions()).Write(call, progress, cancellationToken);
+                var choicesAt = call.Room(candidateCount * sizeof(Native.BandChoice));
+                call.Check(Functions.mien_blendshape_model_search(sessionAt, modelAt, basisAt, datasetPathAt, expressionAt, candidatesAt, (uint)candidateCount, optionsAt, choicesAt, call.Error));
+                return call.ReadRecords(choicesAt, candidateCount, sizeof(Native.BandChoice), BandChoice.Read);
+            }
+        }
+
+        /// <summary>Tries values of k on a dataset's subjects that the model was not trained on.</summary>
+        /// <param name="datasetPath">subjects with a neutral face and the expression.</param>
+        /// <param name="candidates">candidate_count values of k; above the basis' modes: coordinates alone.</param>
+        /// <param name="options">may be left out; its ridge is not read.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NOT_FOUND (expression), MIEN_E_MISMATCH, MIEN_E_IO,
+        /// MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
+        /// <remarks>C: mien_blendshape_model_search()</remarks>
+        public Task<BandChoice[]> SearchAsync(Session session, SpectralBasis basis, string datasetPath, string expression, ulong[] candidates, BlendshapeOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            return Task.Run(() => Search(session, basis, datasetPath, expression, candidates, options, progress, cancellationToken), cancellationToken);
+        }
+    }
+
+    /// <summary>Collects faces with a subject and an expression each, then saves them as one safetensors file: vertices f32 [s,
+    /// n, 3], subject i32 [s], expression i32 [s], triangles u32 [m, 3]. Externally synchronized.</summary>
+    public sealed unsafe class DatasetWriter : NativeObject
+    {
+        internal DatasetWriter(IntPtr owned) : base(owned, at => Functions.mien_dataset_writer_release(at)) { }
+
+        /// <summary>Starts a dataset in the topology of a mesh.</summary>
+        /// <param name="topology">its triangles and vertex count hold for all faces.</param>
+        /// <param name="expressionNames">expression_count UTF-8 names. One should be "neutral".</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_dataset_writer_create()</remarks>
+        public static DatasetWriter Create(Session session, Mesh topology, IReadOnlyList<string> expressionNames)
+        {
+            using (var call = new Call())
+            {
+                call.Required(expressionNames, "expression_names");
+                call.Lock(session);
+                var sessionAt = call.Use(session);
+                var topologyAt = call.Use(topology);
+                var expressionCount = call.Rows(expressionNames, 1, "expression_names");
+                var expressionNamesAt = call.Texts(expressionNames);
+                var outAt = call.Room(8);
+                call.Check(Functions.mien_dataset_writer_create(sessionAt, topologyAt, expressionNamesAt, (uint)expressionCount, outAt, call.Error));
+                return call.Keep(new DatasetWriter(call.Pointer(outAt)));
+            }
+        }
+
+        /// <summary>Adds one face; its positions are copied.</summary>
+        /// <param name="positions">#V x 3, F32 or F64, mm.</param>
+        /// <param name="subject">any number that names the person.</param>
+        /// <param name="expression">index into the expression names.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MISMATCH (vertex count), MIEN_E_INVALID_MESH (not
+        /// finite), MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_dataset_writer_add()</remarks>
+        public void Add(Values positions, int subject, int expression)
+        {
+            using (var call = new Call())
+            {
+                call.Lock(this);
+                var writerAt = call.Use(this);
+                var positionsAt = call.View(positions, 3, "positions");
+                call.Check(Functions.mien_dataset_writer_add(writerAt, positionsAt, subject, expression, call.Error));
+            }
+        }
+
+        /// <summary>Writes all faces added so far. Atomic; more may be added and saved again.</summary>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (no face), MIEN_E_IO, MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_dataset_writer_save()</remarks>
+        public void Save(Session session, string path)
+        {
+            using (var call = new Call())
+            {
+                call.Lock(session);
+                call.Lock(this);
+                var sessionAt = call.Use(session);
+                var writerAt = call.Use(this);
+                var pathAt = call.Text(path);
+                call.Check(Functions.mien_dataset_writer_save(sessionAt, writerAt, pathAt, call.Error));
             }
         }
     }
@@ -5272,8 +5941,25 @@ namespace Mien
             }
         }
 
+        /// <summary>How a treated zone is read, both ways: treatments of lips, brows and the corners of the mouth can look like
+        /// expressions.</summary>
+        /// <param name="reading">MIEN_READING_*.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (reading), MIEN_E_NOT_FOUND (nothing
+        /// was treated)</exception>
+        /// <remarks>C: mien_neutralization_get_reading()</remarks>
+        public ZoneReading GetReading(Reading reading)
+        {
+            using (var call = new Call())
+            {
+                var neutralizationAt = call.Use(this);
+                var outAt = call.Sized(sizeof(Native.ZoneReading));
+                call.Check(Functions.mien_neutralization_get_reading(neutralizationAt, (int)reading, outAt, call.Error));
+                return ZoneReading.Read(call, outAt);
+            }
+        }
+
         /// <summary>The report as a JSON object: expression found, its probability and the others', displacement, residual,
-        /// coordinates.</summary>
+        /// coordinates; with options.treated both readings of the zone.</summary>
         /// <exception cref="MienException">MIEN_E_INVALID_HANDLE</exception>
         /// <remarks>C: mien_neutralization_get_json()</remarks>
         public string GetJson()
@@ -5318,7 +6004,8 @@ namespace Mien
         internal Evaluation(IntPtr owned) : base(owned, at => Functions.mien_evaluation_release(at)) { }
 
         /// <summary>The table as a JSON object: "expressions", a list, and "all" (without the neutral faces), each with faces,
-        /// baseline, result, against (mean_mm, sd_mm, max_vertex_mm) and the effects cohens_d, superiority.</summary>
+        /// baseline, result, against (mean_mm, sd_mm, max_vertex_mm) and the effects cohens_d, superiority; with
+        /// options.volume_zones "volumes", the same per zone (mean_ml, sd_ml, median_ml).</summary>
         /// <exception cref="MienException">MIEN_E_INVALID_HANDLE</exception>
         /// <remarks>C: mien_evaluation_get_json()</remarks>
         public string GetJson()
@@ -5476,95 +6163,6 @@ namespace Mien
                 } while ((capacity = call.More(Functions.mien_hierarchy_apply(hierarchyAt, level, (int)direction, valuesAt, (ulong)rowCount, channelCount, dstAt, (ulong)capacity, countAt, call.Error), capacity, countAt)) != 0);
                 var rows = call.Count(countAt);
                 return call.ReadDoubles(dstAt, rows * (long) channelCount);
-            }
-        }
-    }
-
-    /// <summary>What was measured: numbers per zone and values per vertex. Immutable: share freely.</summary>
-    public sealed unsafe class Measurement : NativeObject
-    {
-        internal Measurement(IntPtr owned) : base(owned, at => Functions.mien_measurement_release(at)) { }
-
-        /// <summary>How many zones were measured.</summary>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE</exception>
-        /// <remarks>C: mien_measurement_get_zones()</remarks>
-        public MeasurementZones GetZones()
-        {
-            using (var call = new Call())
-            {
-                var measurementAt = call.Use(this);
-                var zoneCountAt = call.Room(8);
-                var zonesDisjointAt = call.Room(8);
-                call.Check(Functions.mien_measurement_get_zones(measurementAt, zoneCountAt, zonesDisjointAt, call.Error));
-                return new MeasurementZones(*(uint*)zoneCountAt, *(int*)zonesDisjointAt);
-            }
-        }
-
-        /// <summary>The volume of a zone.</summary>
-        /// <param name="zone">0 .. zone_count - 1, MIEN_ZONE_WHOLE or MIEN_ZONE_REST.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NOT_FOUND (no such zone, no volume in it)</exception>
-        /// <remarks>C: mien_measurement_get_volume()</remarks>
-        public ZoneVolume GetVolume(int zone)
-        {
-            using (var call = new Call())
-            {
-                var measurementAt = call.Use(this);
-                var outAt = call.Sized(sizeof(Native.ZoneVolume));
-                call.Check(Functions.mien_measurement_get_volume(measurementAt, zone, outAt, call.Error));
-                return ZoneVolume.Read(call, outAt);
-            }
-        }
-
-        /// <summary>The distances of a zone.</summary>
-        /// <param name="zone">0 .. zone_count - 1 or MIEN_ZONE_WHOLE.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NOT_FOUND (no such zone, no distance in it)</exception>
-        /// <remarks>C: mien_measurement_get_distance()</remarks>
-        public ZoneDistance GetDistance(int zone)
-        {
-            using (var call = new Call())
-            {
-                var measurementAt = call.Use(this);
-                var outAt = call.Sized(sizeof(Native.ZoneDistance));
-                call.Check(Functions.mien_measurement_get_distance(measurementAt, zone, outAt, call.Error));
-                return ZoneDistance.Read(call, outAt);
-            }
-        }
-
-        /// <summary>Copies a field with one float64 per vertex of the before face; NaN where there was no partner.</summary>
-        /// <param name="field">MIEN_FIELD_*.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_NOT_FOUND (this measurement has no such field)</exception>
-        /// <remarks>C: mien_measurement_get_field()</remarks>
-        public double[] GetField(Field field)
-        {
-            using (var call = new Call())
-            {
-                var measurementAt = call.Use(this);
-                var countAt = call.Room(8);
-                long capacity = call.FirstCapacity(8);
-                IntPtr dstAt;
-                do {
-                    dstAt = call.Room(capacity * 8);
-                } while ((capacity = call.More(Functions.mien_measurement_get_field(measurementAt, (int)field, dstAt, (ulong)capacity, countAt, call.Error), capacity, countAt)) != 0);
-                var rows = call.Count(countAt);
-                return call.ReadDoubles(dstAt, rows);
-            }
-        }
-
-        /// <summary>The whole measurement as JSON text.</summary>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_NO_MEMORY</exception>
-        /// <remarks>C: mien_measurement_get_json()</remarks>
-        public string GetJson()
-        {
-            using (var call = new Call())
-            {
-                var measurementAt = call.Use(this);
-                var countAt = call.Room(8);
-                long capacity = call.FirstCapacity(1);
-                IntPtr dstAt;
-                do {
-                    dstAt = call.Room(capacity);
-                } while ((capacity = call.More(Functions.mien_measurement_get_json(measurementAt, dstAt, (ulong)capacity, countAt, call.Error), capacity, countAt)) != 0);
-                return call.ReadText(dstAt, call.Count(countAt));
             }
         }
     }

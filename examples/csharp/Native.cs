@@ -84,40 +84,6 @@ namespace Mien.Native
     }
 
     [StructLayout(LayoutKind.Sequential)]
-    internal unsafe struct SpectralBasisOptions
-    {
-        public uint structSize;
-        public uint modeCount;
-        public int mass;
-        public int cotangents;
-        public IntPtr progress;
-        public IntPtr progressUser;
-        public IntPtr cancel;
-    }
-
-    [StructLayout(LayoutKind.Sequential)]
-    internal unsafe struct BlendshapeOptions
-    {
-        public uint structSize;
-        public uint reserved;
-        public double ridge;
-        public IntPtr progress;
-        public IntPtr progressUser;
-        public IntPtr cancel;
-    }
-
-    [StructLayout(LayoutKind.Sequential)]
-    internal unsafe struct BandChoice
-    {
-        public ulong k;
-        public double l1Mm;
-        public double dame;
-        public double fmpd;
-        public int onFront;
-        public int chosen;
-    }
-
-    [StructLayout(LayoutKind.Sequential)]
     internal unsafe struct Kernel
     {
         public int kind;
@@ -207,6 +173,165 @@ namespace Mien.Native
     }
 
     [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct AnthropometryOptions
+    {
+        public uint structSize;
+        public uint reserved;
+        public ArrayView placeSd;
+        public ArrayView normalSd;
+        public double slideCorrelationMm;
+        public double normalCorrelationMm;
+        public IntPtr norms;
+        public IntPtr progress;
+        public IntPtr progressUser;
+        public IntPtr cancel;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct AnthropometricValue
+    {
+        public uint structSize;
+        public int kind;
+        public double value;
+        public double sd;
+        public double z;
+        public double zSd;
+        public double normMean;
+        public double normSd;
+        public ulong normPeople;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct MeasureOptions
+    {
+        public uint structSize;
+        public int skipBorders;
+        public IntPtr zones;
+        public ulong zoneCount;
+        public ArrayView beforeSd;
+        public ArrayView afterSd;
+        public double correlationLengthMm;
+        public double alignmentRotationSdRad;
+        public double alignmentTranslationSdMm;
+        public fixed double alignmentCentre[3];
+        public double commonBiasMm;
+        public double limitOfDetectionMl;
+        public double maxDistanceMm;
+        public IntPtr progress;
+        public IntPtr progressUser;
+        public IntPtr cancel;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct ZoneVolume
+    {
+        public uint structSize;
+        public int detected;
+        public double signedMl;
+        public double positiveMl;
+        public double negativeMl;
+        public double absoluteMl;
+        public double sdMl;
+        public double low95Ml;
+        public double high95Ml;
+        public double areaBeforeMm2;
+        public double areaAfterMm2;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct ZoneDistance
+    {
+        public uint structSize;
+        public uint reserved;
+        public double meanSignedMm;
+        public double sdSignedMm;
+        public double meanAbsoluteMm;
+        public double rmsMm;
+        public double meanLengthMm;
+        public double medianLengthMm;
+        public double p95LengthMm;
+        public double maxLengthMm;
+        public ulong vertexCount;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct ZoneAlignment
+    {
+        public uint structSize;
+        public uint reserved;
+        public ulong pairs;
+        public double rmsMm;
+        public double rotationSdRad;
+        public double translationSdMm;
+        public fixed double centre[3];
+        public fixed double matrix[16];
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct AsymmetryOptions
+    {
+        public uint structSize;
+        public int plane;
+        public IntPtr zones;
+        public ulong zoneCount;
+        public IntPtr landmarks;
+        public ArrayView normalSd;
+        public double correlationLengthMm;
+        public IntPtr progress;
+        public IntPtr progressUser;
+        public IntPtr cancel;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct MirrorPlane
+    {
+        public uint structSize;
+        public int by;
+        public ulong pairs;
+        public fixed double normal[3];
+        public fixed double centre[3];
+        public double rmsMm;
+        public double tiltSdRad;
+        public double offsetSdMm;
+        public double betweenRad;
+        public double apartMm;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct SpectralBasisOptions
+    {
+        public uint structSize;
+        public uint modeCount;
+        public int mass;
+        public int cotangents;
+        public IntPtr progress;
+        public IntPtr progressUser;
+        public IntPtr cancel;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct BlendshapeOptions
+    {
+        public uint structSize;
+        public uint reserved;
+        public double ridge;
+        public IntPtr progress;
+        public IntPtr progressUser;
+        public IntPtr cancel;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct BandChoice
+    {
+        public ulong k;
+        public double l1Mm;
+        public double dame;
+        public double fmpd;
+        public int onFront;
+        public int chosen;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     internal unsafe struct RegisterOptions
     {
         public uint structSize;
@@ -284,6 +409,19 @@ namespace Mien.Native
         public IntPtr progress;
         public IntPtr progressUser;
         public IntPtr cancel;
+        public IntPtr treated;
+        public ulong treatedCount;
+        public double treatedMarginMm;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct ZoneReading
+    {
+        public uint structSize;
+        public int differ;
+        public double probability;
+        public double removedMm;
+        public double removedMl;
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -303,72 +441,8 @@ namespace Mien.Native
         public IntPtr progress;
         public IntPtr progressUser;
         public IntPtr cancel;
-    }
-
-    [StructLayout(LayoutKind.Sequential)]
-    internal unsafe struct MeasureOptions
-    {
-        public uint structSize;
-        public int skipBorders;
-        public IntPtr zones;
-        public ulong zoneCount;
-        public ArrayView beforeSd;
-        public ArrayView afterSd;
-        public double correlationLengthMm;
-        public double alignmentRotationSdRad;
-        public double alignmentTranslationSdMm;
-        public fixed double alignmentCentre[3];
-        public double commonBiasMm;
-        public double limitOfDetectionMl;
-        public double maxDistanceMm;
-        public IntPtr progress;
-        public IntPtr progressUser;
-        public IntPtr cancel;
-    }
-
-    [StructLayout(LayoutKind.Sequential)]
-    internal unsafe struct ZoneVolume
-    {
-        public uint structSize;
-        public int detected;
-        public double signedMl;
-        public double positiveMl;
-        public double negativeMl;
-        public double absoluteMl;
-        public double sdMl;
-        public double low95Ml;
-        public double high95Ml;
-        public double areaBeforeMm2;
-        public double areaAfterMm2;
-    }
-
-    [StructLayout(LayoutKind.Sequential)]
-    internal unsafe struct ZoneDistance
-    {
-        public uint structSize;
-        public uint reserved;
-        public double meanSignedMm;
-        public double sdSignedMm;
-        public double meanAbsoluteMm;
-        public double rmsMm;
-        public double meanLengthMm;
-        public double medianLengthMm;
-        public double p95LengthMm;
-        public double maxLengthMm;
-        public ulong vertexCount;
-    }
-
-    [StructLayout(LayoutKind.Sequential)]
-    internal unsafe struct ZoneAlignment
-    {
-        public uint structSize;
-        public uint reserved;
-        public ulong pairs;
-        public double rmsMm;
-        public double rotationSdRad;
-        public double translationSdMm;
-        public fixed double centre[3];
-        public fixed double matrix[16];
+        public IntPtr volumeZones;
+        public ulong volumeZoneCount;
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -426,6 +500,8 @@ namespace Mien.Native
         public IntPtr cancel;
         public uint focus;
         public uint reserved2;
+        public int features;
+        public uint reserved3;
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -647,60 +723,6 @@ namespace Mien.Native
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_mesh_release(IntPtr mesh);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_spectral_basis_options_init(IntPtr options, UIntPtr structSize);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_spectral_basis_build(IntPtr session, IntPtr mean, IntPtr options, IntPtr @out, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_spectral_basis_load(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_spectral_basis_save(IntPtr session, IntPtr basis, IntPtr path, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_spectral_basis_get_counts(IntPtr basis, IntPtr vertexCount, IntPtr modeCount, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_spectral_basis_get_eigenvalues(IntPtr basis, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_spectral_basis_retain(IntPtr basis);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_spectral_basis_release(IntPtr basis);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_spectral_split(IntPtr session, IntPtr basis, IntPtr face, ulong k, IntPtr low, IntPtr high, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_spectral_assemble(IntPtr session, IntPtr basis, IntPtr low, IntPtr high, ulong k, IntPtr @out, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_spectral_edit(IntPtr session, IntPtr basis, IntPtr face, IntPtr limits, ulong limitCount, IntPtr gains, IntPtr @out, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_spectral_mix(IntPtr session, IntPtr basis, IntPtr first, IntPtr second, IntPtr limits, ulong limitCount, IntPtr weights, IntPtr @out, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_metric(IntPtr session, int metric, IntPtr reference, IntPtr other, IntPtr value, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_transfer_expression(IntPtr session, IntPtr sourceNeutral, IntPtr sourceExpression, IntPtr targetNeutral, IntPtr @out, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_blendshape_options_init(IntPtr options, UIntPtr structSize);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_blendshape_model_train(IntPtr session, IntPtr datasetPath, IntPtr expression, IntPtr options, IntPtr @out, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_blendshape_model_load(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_blendshape_model_save(IntPtr session, IntPtr model, IntPtr path, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_blendshape_model_get_mean(IntPtr model, IntPtr @out, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_blendshape_model_predict(IntPtr session, IntPtr model, IntPtr basis, ulong k, IntPtr neutral, IntPtr @out, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_blendshape_model_search(IntPtr session, IntPtr model, IntPtr basis, IntPtr datasetPath, IntPtr expression, IntPtr candidates, uint candidateCount, IntPtr options, IntPtr choices, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_blendshape_model_retain(IntPtr model);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_blendshape_model_release(IntPtr model);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_dataset_writer_create(IntPtr session, IntPtr topology, IntPtr expressionNames, uint expressionCount, IntPtr @out, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_dataset_writer_add(IntPtr writer, IntPtr positions, int subject, int expression, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_dataset_writer_save(IntPtr session, IntPtr writer, IntPtr path, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_dataset_writer_release(IntPtr writer);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_model_options_init(IntPtr options, UIntPtr structSize);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern int mien_model_build(IntPtr session, IntPtr templateMesh, IntPtr options, IntPtr @out, IntPtr error);
@@ -779,6 +801,126 @@ namespace Mien.Native
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_zones_release(IntPtr zones);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_anthropometry_options_init(IntPtr options, UIntPtr structSize);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_landmarks_add_profile(IntPtr landmarks, IntPtr templateMesh, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_measure_anthropometry(IntPtr session, IntPtr face, IntPtr landmarks, IntPtr options, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_anthropometry_get_counts(IntPtr anthropometry, IntPtr count, IntPtr knownCount, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_anthropometry_get_name(IntPtr anthropometry, ulong index, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_anthropometry_get_value(IntPtr anthropometry, ulong index, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_anthropometry_get_reason(IntPtr anthropometry, ulong index, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_anthropometry_get_json(IntPtr anthropometry, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_anthropometry_release(IntPtr anthropometry);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_norms_create(IntPtr session, IntPtr datasetPath, IntPtr landmarks, IntPtr options, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_norms_load(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_norms_save(IntPtr session, IntPtr norms, IntPtr path, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_norms_get_json(IntPtr norms, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_norms_release(IntPtr norms);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_measure_options_init(IntPtr options, UIntPtr structSize);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_measure_volume(IntPtr session, IntPtr before, IntPtr after, IntPtr options, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_measure_distance(IntPtr session, IntPtr before, IntPtr after, IntPtr options, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_measure_surface_distance(IntPtr session, IntPtr before, IntPtr after, IntPtr options, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_measure_closed_volume(IntPtr session, IntPtr mesh, int closeRims, IntPtr volumeMl, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_measure_area(IntPtr session, IntPtr mesh, IntPtr zone, IntPtr areaMm2, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_measure_curvature(IntPtr session, IntPtr mesh, double radiusMm, int robust, IntPtr options, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_measure_lengths(IntPtr session, IntPtr mesh, IntPtr pairs, ulong pairCount, IntPtr straightMm, IntPtr geodesicMm, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_measure_scan_volume(IntPtr session, IntPtr before, IntPtr after, int carry, IntPtr direction, IntPtr options, IntPtr coverage, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_measure_align(IntPtr session, IntPtr moving, IntPtr target, IntPtr stable, IntPtr info, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_measurement_get_zones(IntPtr measurement, IntPtr zoneCount, IntPtr zonesDisjoint, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_measurement_get_volume(IntPtr measurement, int zone, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_measurement_get_distance(IntPtr measurement, int zone, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_measurement_get_field(IntPtr measurement, int field, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_measurement_get_json(IntPtr measurement, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_measurement_release(IntPtr measurement);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_asymmetry_options_init(IntPtr options, UIntPtr structSize);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_measure_asymmetry(IntPtr session, IntPtr face, IntPtr templateMesh, IntPtr options, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_measurement_get_mirror_plane(IntPtr measurement, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_spectral_basis_options_init(IntPtr options, UIntPtr structSize);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_basis_build(IntPtr session, IntPtr mean, IntPtr options, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_basis_load(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_basis_save(IntPtr session, IntPtr basis, IntPtr path, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_basis_get_counts(IntPtr basis, IntPtr vertexCount, IntPtr modeCount, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_basis_get_eigenvalues(IntPtr basis, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_spectral_basis_retain(IntPtr basis);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_spectral_basis_release(IntPtr basis);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_split(IntPtr session, IntPtr basis, IntPtr face, ulong k, IntPtr low, IntPtr high, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_assemble(IntPtr session, IntPtr basis, IntPtr low, IntPtr high, ulong k, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_edit(IntPtr session, IntPtr basis, IntPtr face, IntPtr limits, ulong limitCount, IntPtr gains, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_mix(IntPtr session, IntPtr basis, IntPtr first, IntPtr second, IntPtr limits, ulong limitCount, IntPtr weights, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_metric(IntPtr session, int metric, IntPtr reference, IntPtr other, IntPtr value, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_transfer_expression(IntPtr session, IntPtr sourceNeutral, IntPtr sourceExpression, IntPtr targetNeutral, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_blendshape_options_init(IntPtr options, UIntPtr structSize);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_blendshape_model_train(IntPtr session, IntPtr datasetPath, IntPtr expression, IntPtr options, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_blendshape_model_load(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_blendshape_model_save(IntPtr session, IntPtr model, IntPtr path, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_blendshape_model_get_mean(IntPtr model, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_blendshape_model_predict(IntPtr session, IntPtr model, IntPtr basis, ulong k, IntPtr neutral, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_blendshape_model_search(IntPtr session, IntPtr model, IntPtr basis, IntPtr datasetPath, IntPtr expression, IntPtr candidates, uint candidateCount, IntPtr options, IntPtr choices, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_blendshape_model_retain(IntPtr model);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_blendshape_model_release(IntPtr model);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_dataset_writer_create(IntPtr session, IntPtr topology, IntPtr expressionNames, uint expressionCount, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_dataset_writer_add(IntPtr writer, IntPtr positions, int subject, int expression, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_dataset_writer_save(IntPtr session, IntPtr writer, IntPtr path, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_dataset_writer_release(IntPtr writer);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_register_options_init(IntPtr options, UIntPtr structSize);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern int mien_register(IntPtr session, IntPtr model, IntPtr scan, IntPtr options, IntPtr @out, IntPtr error);
@@ -845,6 +987,8 @@ namespace Mien.Native
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern int mien_neutralization_get_uncertainty(IntPtr neutralization, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_neutralization_get_reading(IntPtr neutralization, int reading, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern int mien_neutralization_get_json(IntPtr neutralization, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_neutralization_release(IntPtr neutralization);
@@ -878,38 +1022,6 @@ namespace Mien.Native
         internal static extern void mien_hierarchy_retain(IntPtr hierarchy);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_hierarchy_release(IntPtr hierarchy);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_measure_options_init(IntPtr options, UIntPtr structSize);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_measure_volume(IntPtr session, IntPtr before, IntPtr after, IntPtr options, IntPtr @out, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_measure_distance(IntPtr session, IntPtr before, IntPtr after, IntPtr options, IntPtr @out, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_measure_surface_distance(IntPtr session, IntPtr before, IntPtr after, IntPtr options, IntPtr @out, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_measure_closed_volume(IntPtr session, IntPtr mesh, int closeRims, IntPtr volumeMl, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_measure_area(IntPtr session, IntPtr mesh, IntPtr zone, IntPtr areaMm2, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_measure_curvature(IntPtr session, IntPtr mesh, double radiusMm, int robust, IntPtr options, IntPtr @out, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_measure_lengths(IntPtr session, IntPtr mesh, IntPtr pairs, ulong pairCount, IntPtr straightMm, IntPtr geodesicMm, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_measure_scan_volume(IntPtr session, IntPtr before, IntPtr after, int carry, IntPtr direction, IntPtr options, IntPtr coverage, IntPtr @out, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_measure_align(IntPtr session, IntPtr moving, IntPtr target, IntPtr stable, IntPtr info, IntPtr @out, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_measurement_get_zones(IntPtr measurement, IntPtr zoneCount, IntPtr zonesDisjoint, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_measurement_get_volume(IntPtr measurement, int zone, IntPtr @out, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_measurement_get_distance(IntPtr measurement, int zone, IntPtr @out, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_measurement_get_field(IntPtr measurement, int field, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_measurement_get_json(IntPtr measurement, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_measurement_release(IntPtr measurement);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern int mien_mesh_inspect(IntPtr session, IntPtr mesh, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
@@ -1172,87 +1284,6 @@ namespace Mien.Native
         internal delegate void mien_mesh_release_function(IntPtr mesh);
         internal static readonly mien_mesh_release_function mien_mesh_release = Library.Function<mien_mesh_release_function>("mien_mesh_release");
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate void mien_spectral_basis_options_init_function(IntPtr options, UIntPtr structSize);
-        internal static readonly mien_spectral_basis_options_init_function mien_spectral_basis_options_init = Library.Function<mien_spectral_basis_options_init_function>("mien_spectral_basis_options_init");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_spectral_basis_build_function(IntPtr session, IntPtr mean, IntPtr options, IntPtr @out, IntPtr error);
-        internal static readonly mien_spectral_basis_build_function mien_spectral_basis_build = Library.Function<mien_spectral_basis_build_function>("mien_spectral_basis_build");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_spectral_basis_load_function(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
-        internal static readonly mien_spectral_basis_load_function mien_spectral_basis_load = Library.Function<mien_spectral_basis_load_function>("mien_spectral_basis_load");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_spectral_basis_save_function(IntPtr session, IntPtr basis, IntPtr path, IntPtr error);
-        internal static readonly mien_spectral_basis_save_function mien_spectral_basis_save = Library.Function<mien_spectral_basis_save_function>("mien_spectral_basis_save");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_spectral_basis_get_counts_function(IntPtr basis, IntPtr vertexCount, IntPtr modeCount, IntPtr error);
-        internal static readonly mien_spectral_basis_get_counts_function mien_spectral_basis_get_counts = Library.Function<mien_spectral_basis_get_counts_function>("mien_spectral_basis_get_counts");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_spectral_basis_get_eigenvalues_function(IntPtr basis, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
-        internal static readonly mien_spectral_basis_get_eigenvalues_function mien_spectral_basis_get_eigenvalues = Library.Function<mien_spectral_basis_get_eigenvalues_function>("mien_spectral_basis_get_eigenvalues");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate void mien_spectral_basis_retain_function(IntPtr basis);
-        internal static readonly mien_spectral_basis_retain_function mien_spectral_basis_retain = Library.Function<mien_spectral_basis_retain_function>("mien_spectral_basis_retain");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate void mien_spectral_basis_release_function(IntPtr basis);
-        internal static readonly mien_spectral_basis_release_function mien_spectral_basis_release = Library.Function<mien_spectral_basis_release_function>("mien_spectral_basis_release");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_spectral_split_function(IntPtr session, IntPtr basis, IntPtr face, ulong k, IntPtr low, IntPtr high, IntPtr error);
-        internal static readonly mien_spectral_split_function mien_spectral_split = Library.Function<mien_spectral_split_function>("mien_spectral_split");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_spectral_assemble_function(IntPtr session, IntPtr basis, IntPtr low, IntPtr high, ulong k, IntPtr @out, IntPtr error);
-        internal static readonly mien_spectral_assemble_function mien_spectral_assemble = Library.Function<mien_spectral_assemble_function>("mien_spectral_assemble");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_spectral_edit_function(IntPtr session, IntPtr basis, IntPtr face, IntPtr limits, ulong limitCount, IntPtr gains, IntPtr @out, IntPtr error);
-        internal static readonly mien_spectral_edit_function mien_spectral_edit = Library.Function<mien_spectral_edit_function>("mien_spectral_edit");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_spectral_mix_function(IntPtr session, IntPtr basis, IntPtr first, IntPtr second, IntPtr limits, ulong limitCount, IntPtr weights, IntPtr @out, IntPtr error);
-        internal static readonly mien_spectral_mix_function mien_spectral_mix = Library.Function<mien_spectral_mix_function>("mien_spectral_mix");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_metric_function(IntPtr session, int metric, IntPtr reference, IntPtr other, IntPtr value, IntPtr error);
-        internal static readonly mien_metric_function mien_metric = Library.Function<mien_metric_function>("mien_metric");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_transfer_expression_function(IntPtr session, IntPtr sourceNeutral, IntPtr sourceExpression, IntPtr targetNeutral, IntPtr @out, IntPtr error);
-        internal static readonly mien_transfer_expression_function mien_transfer_expression = Library.Function<mien_transfer_expression_function>("mien_transfer_expression");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate void mien_blendshape_options_init_function(IntPtr options, UIntPtr structSize);
-        internal static readonly mien_blendshape_options_init_function mien_blendshape_options_init = Library.Function<mien_blendshape_options_init_function>("mien_blendshape_options_init");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_blendshape_model_train_function(IntPtr session, IntPtr datasetPath, IntPtr expression, IntPtr options, IntPtr @out, IntPtr error);
-        internal static readonly mien_blendshape_model_train_function mien_blendshape_model_train = Library.Function<mien_blendshape_model_train_function>("mien_blendshape_model_train");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_blendshape_model_load_function(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
-        internal static readonly mien_blendshape_model_load_function mien_blendshape_model_load = Library.Function<mien_blendshape_model_load_function>("mien_blendshape_model_load");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_blendshape_model_save_function(IntPtr session, IntPtr model, IntPtr path, IntPtr error);
-        internal static readonly mien_blendshape_model_save_function mien_blendshape_model_save = Library.Function<mien_blendshape_model_save_function>("mien_blendshape_model_save");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_blendshape_model_get_mean_function(IntPtr model, IntPtr @out, IntPtr error);
-        internal static readonly mien_blendshape_model_get_mean_function mien_blendshape_model_get_mean = Library.Function<mien_blendshape_model_get_mean_function>("mien_blendshape_model_get_mean");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_blendshape_model_predict_function(IntPtr session, IntPtr model, IntPtr basis, ulong k, IntPtr neutral, IntPtr @out, IntPtr error);
-        internal static readonly mien_blendshape_model_predict_function mien_blendshape_model_predict = Library.Function<mien_blendshape_model_predict_function>("mien_blendshape_model_predict");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_blendshape_model_search_function(IntPtr session, IntPtr model, IntPtr basis, IntPtr datasetPath, IntPtr expression, IntPtr candidates, uint candidateCount, IntPtr options, IntPtr choices, IntPtr error);
-        internal static readonly mien_blendshape_model_search_function mien_blendshape_model_search = Library.Function<mien_blendshape_model_search_function>("mien_blendshape_model_search");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate void mien_blendshape_model_retain_function(IntPtr model);
-        internal static readonly mien_blendshape_model_retain_function mien_blendshape_model_retain = Library.Function<mien_blendshape_model_retain_function>("mien_blendshape_model_retain");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate void mien_blendshape_model_release_function(IntPtr model);
-        internal static readonly mien_blendshape_model_release_function mien_blendshape_model_release = Library.Function<mien_blendshape_model_release_function>("mien_blendshape_model_release");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_dataset_writer_create_function(IntPtr session, IntPtr topology, IntPtr expressionNames, uint expressionCount, IntPtr @out, IntPtr error);
-        internal static readonly mien_dataset_writer_create_function mien_dataset_writer_create = Library.Function<mien_dataset_writer_create_function>("mien_dataset_writer_create");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_dataset_writer_add_function(IntPtr writer, IntPtr positions, int subject, int expression, IntPtr error);
-        internal static readonly mien_dataset_writer_add_function mien_dataset_writer_add = Library.Function<mien_dataset_writer_add_function>("mien_dataset_writer_add");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_dataset_writer_save_function(IntPtr session, IntPtr writer, IntPtr path, IntPtr error);
-        internal static readonly mien_dataset_writer_save_function mien_dataset_writer_save = Library.Function<mien_dataset_writer_save_function>("mien_dataset_writer_save");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate void mien_dataset_writer_release_function(IntPtr writer);
-        internal static readonly mien_dataset_writer_release_function mien_dataset_writer_release = Library.Function<mien_dataset_writer_release_function>("mien_dataset_writer_release");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         internal delegate void mien_model_options_init_function(IntPtr options, UIntPtr structSize);
         internal static readonly mien_model_options_init_function mien_model_options_init = Library.Function<mien_model_options_init_function>("mien_model_options_init");
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
@@ -1370,6 +1401,186 @@ namespace Mien.Native
         internal delegate void mien_zones_release_function(IntPtr zones);
         internal static readonly mien_zones_release_function mien_zones_release = Library.Function<mien_zones_release_function>("mien_zones_release");
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_anthropometry_options_init_function(IntPtr options, UIntPtr structSize);
+        internal static readonly mien_anthropometry_options_init_function mien_anthropometry_options_init = Library.Function<mien_anthropometry_options_init_function>("mien_anthropometry_options_init");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_landmarks_add_profile_function(IntPtr landmarks, IntPtr templateMesh, IntPtr @out, IntPtr error);
+        internal static readonly mien_landmarks_add_profile_function mien_landmarks_add_profile = Library.Function<mien_landmarks_add_profile_function>("mien_landmarks_add_profile");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_measure_anthropometry_function(IntPtr session, IntPtr face, IntPtr landmarks, IntPtr options, IntPtr @out, IntPtr error);
+        internal static readonly mien_measure_anthropometry_function mien_measure_anthropometry = Library.Function<mien_measure_anthropometry_function>("mien_measure_anthropometry");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_anthropometry_get_counts_function(IntPtr anthropometry, IntPtr count, IntPtr knownCount, IntPtr error);
+        internal static readonly mien_anthropometry_get_counts_function mien_anthropometry_get_counts = Library.Function<mien_anthropometry_get_counts_function>("mien_anthropometry_get_counts");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_anthropometry_get_name_function(IntPtr anthropometry, ulong index, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_anthropometry_get_name_function mien_anthropometry_get_name = Library.Function<mien_anthropometry_get_name_function>("mien_anthropometry_get_name");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_anthropometry_get_value_function(IntPtr anthropometry, ulong index, IntPtr @out, IntPtr error);
+        internal static readonly mien_anthropometry_get_value_function mien_anthropometry_get_value = Library.Function<mien_anthropometry_get_value_function>("mien_anthropometry_get_value");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_anthropometry_get_reason_function(IntPtr anthropometry, ulong index, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_anthropometry_get_reason_function mien_anthropometry_get_reason = Library.Function<mien_anthropometry_get_reason_function>("mien_anthropometry_get_reason");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_anthropometry_get_json_function(IntPtr anthropometry, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_anthropometry_get_json_function mien_anthropometry_get_json = Library.Function<mien_anthropometry_get_json_function>("mien_anthropometry_get_json");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_anthropometry_release_function(IntPtr anthropometry);
+        internal static readonly mien_anthropometry_release_function mien_anthropometry_release = Library.Function<mien_anthropometry_release_function>("mien_anthropometry_release");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_norms_create_function(IntPtr session, IntPtr datasetPath, IntPtr landmarks, IntPtr options, IntPtr @out, IntPtr error);
+        internal static readonly mien_norms_create_function mien_norms_create = Library.Function<mien_norms_create_function>("mien_norms_create");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_norms_load_function(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
+        internal static readonly mien_norms_load_function mien_norms_load = Library.Function<mien_norms_load_function>("mien_norms_load");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_norms_save_function(IntPtr session, IntPtr norms, IntPtr path, IntPtr error);
+        internal static readonly mien_norms_save_function mien_norms_save = Library.Function<mien_norms_save_function>("mien_norms_save");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_norms_get_json_function(IntPtr norms, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_norms_get_json_function mien_norms_get_json = Library.Function<mien_norms_get_json_function>("mien_norms_get_json");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_norms_release_function(IntPtr norms);
+        internal static readonly mien_norms_release_function mien_norms_release = Library.Function<mien_norms_release_function>("mien_norms_release");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_measure_options_init_function(IntPtr options, UIntPtr structSize);
+        internal static readonly mien_measure_options_init_function mien_measure_options_init = Library.Function<mien_measure_options_init_function>("mien_measure_options_init");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_measure_volume_function(IntPtr session, IntPtr before, IntPtr after, IntPtr options, IntPtr @out, IntPtr error);
+        internal static readonly mien_measure_volume_function mien_measure_volume = Library.Function<mien_measure_volume_function>("mien_measure_volume");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_measure_distance_function(IntPtr session, IntPtr before, IntPtr after, IntPtr options, IntPtr @out, IntPtr error);
+        internal static readonly mien_measure_distance_function mien_measure_distance = Library.Function<mien_measure_distance_function>("mien_measure_distance");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_measure_surface_distance_function(IntPtr session, IntPtr before, IntPtr after, IntPtr options, IntPtr @out, IntPtr error);
+        internal static readonly mien_measure_surface_distance_function mien_measure_surface_distance = Library.Function<mien_measure_surface_distance_function>("mien_measure_surface_distance");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_measure_closed_volume_function(IntPtr session, IntPtr mesh, int closeRims, IntPtr volumeMl, IntPtr error);
+        internal static readonly mien_measure_closed_volume_function mien_measure_closed_volume = Library.Function<mien_measure_closed_volume_function>("mien_measure_closed_volume");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_measure_area_function(IntPtr session, IntPtr mesh, IntPtr zone, IntPtr areaMm2, IntPtr error);
+        internal static readonly mien_measure_area_function mien_measure_area = Library.Function<mien_measure_area_function>("mien_measure_area");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_measure_curvature_function(IntPtr session, IntPtr mesh, double radiusMm, int robust, IntPtr options, IntPtr @out, IntPtr error);
+        internal static readonly mien_measure_curvature_function mien_measure_curvature = Library.Function<mien_measure_curvature_function>("mien_measure_curvature");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_measure_lengths_function(IntPtr session, IntPtr mesh, IntPtr pairs, ulong pairCount, IntPtr straightMm, IntPtr geodesicMm, IntPtr error);
+        internal static readonly mien_measure_lengths_function mien_measure_lengths = Library.Function<mien_measure_lengths_function>("mien_measure_lengths");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_measure_scan_volume_function(IntPtr session, IntPtr before, IntPtr after, int carry, IntPtr direction, IntPtr options, IntPtr coverage, IntPtr @out, IntPtr error);
+        internal static readonly mien_measure_scan_volume_function mien_measure_scan_volume = Library.Function<mien_measure_scan_volume_function>("mien_measure_scan_volume");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_measure_align_function(IntPtr session, IntPtr moving, IntPtr target, IntPtr stable, IntPtr info, IntPtr @out, IntPtr error);
+        internal static readonly mien_measure_align_function mien_measure_align = Library.Function<mien_measure_align_function>("mien_measure_align");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_measurement_get_zones_function(IntPtr measurement, IntPtr zoneCount, IntPtr zonesDisjoint, IntPtr error);
+        internal static readonly mien_measurement_get_zones_function mien_measurement_get_zones = Library.Function<mien_measurement_get_zones_function>("mien_measurement_get_zones");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_measurement_get_volume_function(IntPtr measurement, int zone, IntPtr @out, IntPtr error);
+        internal static readonly mien_measurement_get_volume_function mien_measurement_get_volume = Library.Function<mien_measurement_get_volume_function>("mien_measurement_get_volume");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_measurement_get_distance_function(IntPtr measurement, int zone, IntPtr @out, IntPtr error);
+        internal static readonly mien_measurement_get_distance_function mien_measurement_get_distance = Library.Function<mien_measurement_get_distance_function>("mien_measurement_get_distance");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_measurement_get_field_function(IntPtr measurement, int field, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_measurement_get_field_function mien_measurement_get_field = Library.Function<mien_measurement_get_field_function>("mien_measurement_get_field");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_measurement_get_json_function(IntPtr measurement, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_measurement_get_json_function mien_measurement_get_json = Library.Function<mien_measurement_get_json_function>("mien_measurement_get_json");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_measurement_release_function(IntPtr measurement);
+        internal static readonly mien_measurement_release_function mien_measurement_release = Library.Function<mien_measurement_release_function>("mien_measurement_release");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_asymmetry_options_init_function(IntPtr options, UIntPtr structSize);
+        internal static readonly mien_asymmetry_options_init_function mien_asymmetry_options_init = Library.Function<mien_asymmetry_options_init_function>("mien_asymmetry_options_init");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_measure_asymmetry_function(IntPtr session, IntPtr face, IntPtr templateMesh, IntPtr options, IntPtr @out, IntPtr error);
+        internal static readonly mien_measure_asymmetry_function mien_measure_asymmetry = Library.Function<mien_measure_asymmetry_function>("mien_measure_asymmetry");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_measurement_get_mirror_plane_function(IntPtr measurement, IntPtr @out, IntPtr error);
+        internal static readonly mien_measurement_get_mirror_plane_function mien_measurement_get_mirror_plane = Library.Function<mien_measurement_get_mirror_plane_function>("mien_measurement_get_mirror_plane");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_spectral_basis_options_init_function(IntPtr options, UIntPtr structSize);
+        internal static readonly mien_spectral_basis_options_init_function mien_spectral_basis_options_init = Library.Function<mien_spectral_basis_options_init_function>("mien_spectral_basis_options_init");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_spectral_basis_build_function(IntPtr session, IntPtr mean, IntPtr options, IntPtr @out, IntPtr error);
+        internal static readonly mien_spectral_basis_build_function mien_spectral_basis_build = Library.Function<mien_spectral_basis_build_function>("mien_spectral_basis_build");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_spectral_basis_load_function(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
+        internal static readonly mien_spectral_basis_load_function mien_spectral_basis_load = Library.Function<mien_spectral_basis_load_function>("mien_spectral_basis_load");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_spectral_basis_save_function(IntPtr session, IntPtr basis, IntPtr path, IntPtr error);
+        internal static readonly mien_spectral_basis_save_function mien_spectral_basis_save = Library.Function<mien_spectral_basis_save_function>("mien_spectral_basis_save");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_spectral_basis_get_counts_function(IntPtr basis, IntPtr vertexCount, IntPtr modeCount, IntPtr error);
+        internal static readonly mien_spectral_basis_get_counts_function mien_spectral_basis_get_counts = Library.Function<mien_spectral_basis_get_counts_function>("mien_spectral_basis_get_counts");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_spectral_basis_get_eigenvalues_function(IntPtr basis, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_spectral_basis_get_eigenvalues_function mien_spectral_basis_get_eigenvalues = Library.Function<mien_spectral_basis_get_eigenvalues_function>("mien_spectral_basis_get_eigenvalues");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_spectral_basis_retain_function(IntPtr basis);
+        internal static readonly mien_spectral_basis_retain_function mien_spectral_basis_retain = Library.Function<mien_spectral_basis_retain_function>("mien_spectral_basis_retain");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_spectral_basis_release_function(IntPtr basis);
+        internal static readonly mien_spectral_basis_release_function mien_spectral_basis_release = Library.Function<mien_spectral_basis_release_function>("mien_spectral_basis_release");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_spectral_split_function(IntPtr session, IntPtr basis, IntPtr face, ulong k, IntPtr low, IntPtr high, IntPtr error);
+        internal static readonly mien_spectral_split_function mien_spectral_split = Library.Function<mien_spectral_split_function>("mien_spectral_split");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_spectral_assemble_function(IntPtr session, IntPtr basis, IntPtr low, IntPtr high, ulong k, IntPtr @out, IntPtr error);
+        internal static readonly mien_spectral_assemble_function mien_spectral_assemble = Library.Function<mien_spectral_assemble_function>("mien_spectral_assemble");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_spectral_edit_function(IntPtr session, IntPtr basis, IntPtr face, IntPtr limits, ulong limitCount, IntPtr gains, IntPtr @out, IntPtr error);
+        internal static readonly mien_spectral_edit_function mien_spectral_edit = Library.Function<mien_spectral_edit_function>("mien_spectral_edit");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_spectral_mix_function(IntPtr session, IntPtr basis, IntPtr first, IntPtr second, IntPtr limits, ulong limitCount, IntPtr weights, IntPtr @out, IntPtr error);
+        internal static readonly mien_spectral_mix_function mien_spectral_mix = Library.Function<mien_spectral_mix_function>("mien_spectral_mix");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_metric_function(IntPtr session, int metric, IntPtr reference, IntPtr other, IntPtr value, IntPtr error);
+        internal static readonly mien_metric_function mien_metric = Library.Function<mien_metric_function>("mien_metric");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_transfer_expression_function(IntPtr session, IntPtr sourceNeutral, IntPtr sourceExpression, IntPtr targetNeutral, IntPtr @out, IntPtr error);
+        internal static readonly mien_transfer_expression_function mien_transfer_expression = Library.Function<mien_transfer_expression_function>("mien_transfer_expression");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_blendshape_options_init_function(IntPtr options, UIntPtr structSize);
+        internal static readonly mien_blendshape_options_init_function mien_blendshape_options_init = Library.Function<mien_blendshape_options_init_function>("mien_blendshape_options_init");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_blendshape_model_train_function(IntPtr session, IntPtr datasetPath, IntPtr expression, IntPtr options, IntPtr @out, IntPtr error);
+        internal static readonly mien_blendshape_model_train_function mien_blendshape_model_train = Library.Function<mien_blendshape_model_train_function>("mien_blendshape_model_train");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_blendshape_model_load_function(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
+        internal static readonly mien_blendshape_model_load_function mien_blendshape_model_load = Library.Function<mien_blendshape_model_load_function>("mien_blendshape_model_load");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_blendshape_model_save_function(IntPtr session, IntPtr model, IntPtr path, IntPtr error);
+        internal static readonly mien_blendshape_model_save_function mien_blendshape_model_save = Library.Function<mien_blendshape_model_save_function>("mien_blendshape_model_save");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_blendshape_model_get_mean_function(IntPtr model, IntPtr @out, IntPtr error);
+        internal static readonly mien_blendshape_model_get_mean_function mien_blendshape_model_get_mean = Library.Function<mien_blendshape_model_get_mean_function>("mien_blendshape_model_get_mean");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_blendshape_model_predict_function(IntPtr session, IntPtr model, IntPtr basis, ulong k, IntPtr neutral, IntPtr @out, IntPtr error);
+        internal static readonly mien_blendshape_model_predict_function mien_blendshape_model_predict = Library.Function<mien_blendshape_model_predict_function>("mien_blendshape_model_predict");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_blendshape_model_search_function(IntPtr session, IntPtr model, IntPtr basis, IntPtr datasetPath, IntPtr expression, IntPtr candidates, uint candidateCount, IntPtr options, IntPtr choices, IntPtr error);
+        internal static readonly mien_blendshape_model_search_function mien_blendshape_model_search = Library.Function<mien_blendshape_model_search_function>("mien_blendshape_model_search");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_blendshape_model_retain_function(IntPtr model);
+        internal static readonly mien_blendshape_model_retain_function mien_blendshape_model_retain = Library.Function<mien_blendshape_model_retain_function>("mien_blendshape_model_retain");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_blendshape_model_release_function(IntPtr model);
+        internal static readonly mien_blendshape_model_release_function mien_blendshape_model_release = Library.Function<mien_blendshape_model_release_function>("mien_blendshape_model_release");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_dataset_writer_create_function(IntPtr session, IntPtr topology, IntPtr expressionNames, uint expressionCount, IntPtr @out, IntPtr error);
+        internal static readonly mien_dataset_writer_create_function mien_dataset_writer_create = Library.Function<mien_dataset_writer_create_function>("mien_dataset_writer_create");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_dataset_writer_add_function(IntPtr writer, IntPtr positions, int subject, int expression, IntPtr error);
+        internal static readonly mien_dataset_writer_add_function mien_dataset_writer_add = Library.Function<mien_dataset_writer_add_function>("mien_dataset_writer_add");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_dataset_writer_save_function(IntPtr session, IntPtr writer, IntPtr path, IntPtr error);
+        internal static readonly mien_dataset_writer_save_function mien_dataset_writer_save = Library.Function<mien_dataset_writer_save_function>("mien_dataset_writer_save");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_dataset_writer_release_function(IntPtr writer);
+        internal static readonly mien_dataset_writer_release_function mien_dataset_writer_release = Library.Function<mien_dataset_writer_release_function>("mien_dataset_writer_release");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         internal delegate void mien_register_options_init_function(IntPtr options, UIntPtr structSize);
         internal static readonly mien_register_options_init_function mien_register_options_init = Library.Function<mien_register_options_init_function>("mien_register_options_init");
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
@@ -1469,6 +1680,9 @@ namespace Mien.Native
         internal delegate int mien_neutralization_get_uncertainty_function(IntPtr neutralization, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
         internal static readonly mien_neutralization_get_uncertainty_function mien_neutralization_get_uncertainty = Library.Function<mien_neutralization_get_uncertainty_function>("mien_neutralization_get_uncertainty");
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_neutralization_get_reading_function(IntPtr neutralization, int reading, IntPtr @out, IntPtr error);
+        internal static readonly mien_neutralization_get_reading_function mien_neutralization_get_reading = Library.Function<mien_neutralization_get_reading_function>("mien_neutralization_get_reading");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         internal delegate int mien_neutralization_get_json_function(IntPtr neutralization, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
         internal static readonly mien_neutralization_get_json_function mien_neutralization_get_json = Library.Function<mien_neutralization_get_json_function>("mien_neutralization_get_json");
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
@@ -1519,54 +1733,6 @@ namespace Mien.Native
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         internal delegate void mien_hierarchy_release_function(IntPtr hierarchy);
         internal static readonly mien_hierarchy_release_function mien_hierarchy_release = Library.Function<mien_hierarchy_release_function>("mien_hierarchy_release");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate void mien_measure_options_init_function(IntPtr options, UIntPtr structSize);
-        internal static readonly mien_measure_options_init_function mien_measure_options_init = Library.Function<mien_measure_options_init_function>("mien_measure_options_init");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_measure_volume_function(IntPtr session, IntPtr before, IntPtr after, IntPtr options, IntPtr @out, IntPtr error);
-        internal static readonly mien_measure_volume_function mien_measure_volume = Library.Function<mien_measure_volume_function>("mien_measure_volume");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_measure_distance_function(IntPtr session, IntPtr before, IntPtr after, IntPtr options, IntPtr @out, IntPtr error);
-        internal static readonly mien_measure_distance_function mien_measure_distance = Library.Function<mien_measure_distance_function>("mien_measure_distance");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_measure_surface_distance_function(IntPtr session, IntPtr before, IntPtr after, IntPtr options, IntPtr @out, IntPtr error);
-        internal static readonly mien_measure_surface_distance_function mien_measure_surface_distance = Library.Function<mien_measure_surface_distance_function>("mien_measure_surface_distance");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_measure_closed_volume_function(IntPtr session, IntPtr mesh, int closeRims, IntPtr volumeMl, IntPtr error);
-        internal static readonly mien_measure_closed_volume_function mien_measure_closed_volume = Library.Function<mien_measure_closed_volume_function>("mien_measure_closed_volume");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_measure_area_function(IntPtr session, IntPtr mesh, IntPtr zone, IntPtr areaMm2, IntPtr error);
-        internal static readonly mien_measure_area_function mien_measure_area = Library.Function<mien_measure_area_function>("mien_measure_area");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_measure_curvature_function(IntPtr session, IntPtr mesh, double radiusMm, int robust, IntPtr options, IntPtr @out, IntPtr error);
-        internal static readonly mien_measure_curvature_function mien_measure_curvature = Library.Function<mien_measure_curvature_function>("mien_measure_curvature");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_measure_lengths_function(IntPtr session, IntPtr mesh, IntPtr pairs, ulong pairCount, IntPtr straightMm, IntPtr geodesicMm, IntPtr error);
-        internal static readonly mien_measure_lengths_function mien_measure_lengths = Library.Function<mien_measure_lengths_function>("mien_measure_lengths");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_measure_scan_volume_function(IntPtr session, IntPtr before, IntPtr after, int carry, IntPtr direction, IntPtr options, IntPtr coverage, IntPtr @out, IntPtr error);
-        internal static readonly mien_measure_scan_volume_function mien_measure_scan_volume = Library.Function<mien_measure_scan_volume_function>("mien_measure_scan_volume");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_measure_align_function(IntPtr session, IntPtr moving, IntPtr target, IntPtr stable, IntPtr info, IntPtr @out, IntPtr error);
-        internal static readonly mien_measure_align_function mien_measure_align = Library.Function<mien_measure_align_function>("mien_measure_align");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_measurement_get_zones_function(IntPtr measurement, IntPtr zoneCount, IntPtr zonesDisjoint, IntPtr error);
-        internal static readonly mien_measurement_get_zones_function mien_measurement_get_zones = Library.Function<mien_measurement_get_zones_function>("mien_measurement_get_zones");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_measurement_get_volume_function(IntPtr measurement, int zone, IntPtr @out, IntPtr error);
-        internal static readonly mien_measurement_get_volume_function mien_measurement_get_volume = Library.Function<mien_measurement_get_volume_function>("mien_measurement_get_volume");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_measurement_get_distance_function(IntPtr measurement, int zone, IntPtr @out, IntPtr error);
-        internal static readonly mien_measurement_get_distance_function mien_measurement_get_distance = Library.Function<mien_measurement_get_distance_function>("mien_measurement_get_distance");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_measurement_get_field_function(IntPtr measurement, int field, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
-        internal static readonly mien_measurement_get_field_function mien_measurement_get_field = Library.Function<mien_measurement_get_field_function>("mien_measurement_get_field");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_measurement_get_json_function(IntPtr measurement, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
-        internal static readonly mien_measurement_get_json_function mien_measurement_get_json = Library.Function<mien_measurement_get_json_function>("mien_measurement_get_json");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate void mien_measurement_release_function(IntPtr measurement);
-        internal static readonly mien_measurement_release_function mien_measurement_release = Library.Function<mien_measurement_release_function>("mien_measurement_release");
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         internal delegate int mien_mesh_inspect_function(IntPtr session, IntPtr mesh, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
         internal static readonly mien_mesh_inspect_function mien_mesh_inspect = Library.Function<mien_mesh_inspect_function>("mien_mesh_inspect");

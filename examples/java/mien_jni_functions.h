@@ -52,28 +52,6 @@ STATIC_CHECK(offsetof(mien_mesh_arrays, material_count) == 96, place_of_mien_mes
 STATIC_CHECK(offsetof(mien_mesh_arrays, triangle_materials) == 104, place_of_mien_mesh_arrays_triangle_materials);
 STATIC_CHECK(offsetof(mien_mesh_arrays, images) == 112, place_of_mien_mesh_arrays_images);
 STATIC_CHECK(offsetof(mien_mesh_arrays, image_count) == 120, place_of_mien_mesh_arrays_image_count);
-STATIC_CHECK(sizeof(mien_spectral_basis_options) == 40, size_of_mien_spectral_basis_options);
-STATIC_CHECK(offsetof(mien_spectral_basis_options, struct_size) == 0, place_of_mien_spectral_basis_options_struct_size);
-STATIC_CHECK(offsetof(mien_spectral_basis_options, mode_count) == 4, place_of_mien_spectral_basis_options_mode_count);
-STATIC_CHECK(offsetof(mien_spectral_basis_options, mass) == 8, place_of_mien_spectral_basis_options_mass);
-STATIC_CHECK(offsetof(mien_spectral_basis_options, cotangents) == 12, place_of_mien_spectral_basis_options_cotangents);
-STATIC_CHECK(offsetof(mien_spectral_basis_options, progress) == 16, place_of_mien_spectral_basis_options_progress);
-STATIC_CHECK(offsetof(mien_spectral_basis_options, progress_user) == 24, place_of_mien_spectral_basis_options_progress_user);
-STATIC_CHECK(offsetof(mien_spectral_basis_options, cancel) == 32, place_of_mien_spectral_basis_options_cancel);
-STATIC_CHECK(sizeof(mien_blendshape_options) == 40, size_of_mien_blendshape_options);
-STATIC_CHECK(offsetof(mien_blendshape_options, struct_size) == 0, place_of_mien_blendshape_options_struct_size);
-STATIC_CHECK(offsetof(mien_blendshape_options, reserved) == 4, place_of_mien_blendshape_options_reserved);
-STATIC_CHECK(offsetof(mien_blendshape_options, ridge) == 8, place_of_mien_blendshape_options_ridge);
-STATIC_CHECK(offsetof(mien_blendshape_options, progress) == 16, place_of_mien_blendshape_options_progress);
-STATIC_CHECK(offsetof(mien_blendshape_options, progress_user) == 24, place_of_mien_blendshape_options_progress_user);
-STATIC_CHECK(offsetof(mien_blendshape_options, cancel) == 32, place_of_mien_blendshape_options_cancel);
-STATIC_CHECK(sizeof(mien_band_choice) == 40, size_of_mien_band_choice);
-STATIC_CHECK(offsetof(mien_band_choice, k) == 0, place_of_mien_band_choice_k);
-STATIC_CHECK(offsetof(mien_band_choice, l1_mm) == 8, place_of_mien_band_choice_l1_mm);
-STATIC_CHECK(offsetof(mien_band_choice, dame) == 16, place_of_mien_band_choice_dame);
-STATIC_CHECK(offsetof(mien_band_choice, fmpd) == 24, place_of_mien_band_choice_fmpd);
-STATIC_CHECK(offsetof(mien_band_choice, on_front) == 32, place_of_mien_band_choice_on_front);
-STATIC_CHECK(offsetof(mien_band_choice, chosen) == 36, place_of_mien_band_choice_chosen);
 STATIC_CHECK(sizeof(mien_kernel) == 32, size_of_mien_kernel);
 STATIC_CHECK(offsetof(mien_kernel, kind) == 0, place_of_mien_kernel_kind);
 STATIC_CHECK(offsetof(mien_kernel, reserved) == 4, place_of_mien_kernel_reserved);
@@ -139,85 +117,27 @@ STATIC_CHECK(offsetof(mien_tune_options, cancel) == 88, place_of_mien_tune_optio
 STATIC_CHECK(sizeof(mien_scan_landmark) == 32, size_of_mien_scan_landmark);
 STATIC_CHECK(offsetof(mien_scan_landmark, name) == 0, place_of_mien_scan_landmark_name);
 STATIC_CHECK(offsetof(mien_scan_landmark, position) == 8, place_of_mien_scan_landmark_position);
-STATIC_CHECK(sizeof(mien_register_options) == 272, size_of_mien_register_options);
-STATIC_CHECK(offsetof(mien_register_options, struct_size) == 0, place_of_mien_register_options_struct_size);
-STATIC_CHECK(offsetof(mien_register_options, growth) == 4, place_of_mien_register_options_growth);
-STATIC_CHECK(offsetof(mien_register_options, landmarks) == 8, place_of_mien_register_options_landmarks);
-STATIC_CHECK(offsetof(mien_register_options, landmark_count) == 16, place_of_mien_register_options_landmark_count);
-STATIC_CHECK(offsetof(mien_register_options, landmark_sigma_mm) == 24, place_of_mien_register_options_landmark_sigma_mm);
-STATIC_CHECK(offsetof(mien_register_options, start) == 32, place_of_mien_register_options_start);
-STATIC_CHECK(offsetof(mien_register_options, units) == 36, place_of_mien_register_options_units);
-STATIC_CHECK(offsetof(mien_register_options, scan_weights) == 40, place_of_mien_register_options_scan_weights);
-STATIC_CHECK(offsetof(mien_register_options, skin_weights) == 72, place_of_mien_register_options_skin_weights);
-STATIC_CHECK(offsetof(mien_register_options, close_gap) == 76, place_of_mien_register_options_close_gap);
-STATIC_CHECK(offsetof(mien_register_options, max_scalar_modes) == 80, place_of_mien_register_options_max_scalar_modes);
-STATIC_CHECK(offsetof(mien_register_options, max_pca_modes) == 84, place_of_mien_register_options_max_pca_modes);
-STATIC_CHECK(offsetof(mien_register_options, iterations) == 88, place_of_mien_register_options_iterations);
-STATIC_CHECK(offsetof(mien_register_options, reject_border) == 92, place_of_mien_register_options_reject_border);
-STATIC_CHECK(offsetof(mien_register_options, sigma_start_mm) == 96, place_of_mien_register_options_sigma_start_mm);
-STATIC_CHECK(offsetof(mien_register_options, sigma_end_mm) == 104, place_of_mien_register_options_sigma_end_mm);
-STATIC_CHECK(offsetof(mien_register_options, max_angle_deg) == 112, place_of_mien_register_options_max_angle_deg);
-STATIC_CHECK(offsetof(mien_register_options, start_rotation) == 120, place_of_mien_register_options_start_rotation);
-STATIC_CHECK(offsetof(mien_register_options, start_translation) == 192, place_of_mien_register_options_start_translation);
-STATIC_CHECK(offsetof(mien_register_options, start_scale) == 216, place_of_mien_register_options_start_scale);
-STATIC_CHECK(offsetof(mien_register_options, progress) == 224, place_of_mien_register_options_progress);
-STATIC_CHECK(offsetof(mien_register_options, progress_user) == 232, place_of_mien_register_options_progress_user);
-STATIC_CHECK(offsetof(mien_register_options, cancel) == 240, place_of_mien_register_options_cancel);
-STATIC_CHECK(offsetof(mien_register_options, color_features) == 248, place_of_mien_register_options_color_features);
-STATIC_CHECK(offsetof(mien_register_options, reserved) == 252, place_of_mien_register_options_reserved);
-STATIC_CHECK(offsetof(mien_register_options, unit_to_mm) == 256, place_of_mien_register_options_unit_to_mm);
-STATIC_CHECK(offsetof(mien_register_options, landmark_sides) == 264, place_of_mien_register_options_landmark_sides);
-STATIC_CHECK(offsetof(mien_register_options, reserved2) == 268, place_of_mien_register_options_reserved2);
-STATIC_CHECK(sizeof(mien_fit_verdict) == 80, size_of_mien_fit_verdict);
-STATIC_CHECK(offsetof(mien_fit_verdict, struct_size) == 0, place_of_mien_fit_verdict_struct_size);
-STATIC_CHECK(offsetof(mien_fit_verdict, quality) == 4, place_of_mien_fit_verdict_quality);
-STATIC_CHECK(offsetof(mien_fit_verdict, coverage) == 8, place_of_mien_fit_verdict_coverage);
-STATIC_CHECK(offsetof(mien_fit_verdict, inlier_share) == 16, place_of_mien_fit_verdict_inlier_share);
-STATIC_CHECK(offsetof(mien_fit_verdict, mean_residual_mm) == 24, place_of_mien_fit_verdict_mean_residual_mm);
-STATIC_CHECK(offsetof(mien_fit_verdict, landmark_rms_mm) == 32, place_of_mien_fit_verdict_landmark_rms_mm);
-STATIC_CHECK(offsetof(mien_fit_verdict, size_ratio) == 40, place_of_mien_fit_verdict_size_ratio);
-STATIC_CHECK(offsetof(mien_fit_verdict, mean_deviation) == 48, place_of_mien_fit_verdict_mean_deviation);
-STATIC_CHECK(offsetof(mien_fit_verdict, unit_to_mm) == 56, place_of_mien_fit_verdict_unit_to_mm);
-STATIC_CHECK(offsetof(mien_fit_verdict, landmarks_used) == 64, place_of_mien_fit_verdict_landmarks_used);
-STATIC_CHECK(offsetof(mien_fit_verdict, landmarks_rejected) == 68, place_of_mien_fit_verdict_landmarks_rejected);
-STATIC_CHECK(offsetof(mien_fit_verdict, flipped_triangles) == 72, place_of_mien_fit_verdict_flipped_triangles);
-STATIC_CHECK(offsetof(mien_fit_verdict, self_intersections) == 76, place_of_mien_fit_verdict_self_intersections);
-STATIC_CHECK(sizeof(mien_expected_error) == 40, size_of_mien_expected_error);
-STATIC_CHECK(offsetof(mien_expected_error, struct_size) == 0, place_of_mien_expected_error_struct_size);
-STATIC_CHECK(offsetof(mien_expected_error, quality) == 4, place_of_mien_expected_error_quality);
-STATIC_CHECK(offsetof(mien_expected_error, expected_mm) == 8, place_of_mien_expected_error_expected_mm);
-STATIC_CHECK(offsetof(mien_expected_error, low_mm) == 16, place_of_mien_expected_error_low_mm);
-STATIC_CHECK(offsetof(mien_expected_error, high_mm) == 24, place_of_mien_expected_error_high_mm);
-STATIC_CHECK(offsetof(mien_expected_error, unseen) == 32, place_of_mien_expected_error_unseen);
-STATIC_CHECK(sizeof(mien_neutralize_options) == 104, size_of_mien_neutralize_options);
-STATIC_CHECK(offsetof(mien_neutralize_options, struct_size) == 0, place_of_mien_neutralize_options_struct_size);
-STATIC_CHECK(offsetof(mien_neutralize_options, method) == 4, place_of_mien_neutralize_options_method);
-STATIC_CHECK(offsetof(mien_neutralize_options, max_sweeps) == 8, place_of_mien_neutralize_options_max_sweeps);
-STATIC_CHECK(offsetof(mien_neutralize_options, uncertainty) == 12, place_of_mien_neutralize_options_uncertainty);
-STATIC_CHECK(offsetof(mien_neutralize_options, pose) == 16, place_of_mien_neutralize_options_pose);
-STATIC_CHECK(offsetof(mien_neutralize_options, reserved) == 20, place_of_mien_neutralize_options_reserved);
-STATIC_CHECK(offsetof(mien_neutralize_options, tolerance_mm) == 24, place_of_mien_neutralize_options_tolerance_mm);
-STATIC_CHECK(offsetof(mien_neutralize_options, noise_mm2) == 32, place_of_mien_neutralize_options_noise_mm2);
-STATIC_CHECK(offsetof(mien_neutralize_options, decay_mm) == 40, place_of_mien_neutralize_options_decay_mm);
-STATIC_CHECK(offsetof(mien_neutralize_options, weights) == 48, place_of_mien_neutralize_options_weights);
-STATIC_CHECK(offsetof(mien_neutralize_options, progress) == 80, place_of_mien_neutralize_options_progress);
-STATIC_CHECK(offsetof(mien_neutralize_options, progress_user) == 88, place_of_mien_neutralize_options_progress_user);
-STATIC_CHECK(offsetof(mien_neutralize_options, cancel) == 96, place_of_mien_neutralize_options_cancel);
-STATIC_CHECK(sizeof(mien_evaluate_options) == 88, size_of_mien_evaluate_options);
-STATIC_CHECK(offsetof(mien_evaluate_options, struct_size) == 0, place_of_mien_evaluate_options_struct_size);
-STATIC_CHECK(offsetof(mien_evaluate_options, method) == 4, place_of_mien_evaluate_options_method);
-STATIC_CHECK(offsetof(mien_evaluate_options, max_sweeps) == 8, place_of_mien_evaluate_options_max_sweeps);
-STATIC_CHECK(offsetof(mien_evaluate_options, against_method) == 12, place_of_mien_evaluate_options_against_method);
-STATIC_CHECK(offsetof(mien_evaluate_options, against_max_sweeps) == 16, place_of_mien_evaluate_options_against_max_sweeps);
-STATIC_CHECK(offsetof(mien_evaluate_options, reserved) == 20, place_of_mien_evaluate_options_reserved);
-STATIC_CHECK(offsetof(mien_evaluate_options, against) == 24, place_of_mien_evaluate_options_against);
-STATIC_CHECK(offsetof(mien_evaluate_options, zone_vertices) == 32, place_of_mien_evaluate_options_zone_vertices);
-STATIC_CHECK(offsetof(mien_evaluate_options, zone_count) == 40, place_of_mien_evaluate_options_zone_count);
-STATIC_CHECK(offsetof(mien_evaluate_options, stable_vertices) == 48, place_of_mien_evaluate_options_stable_vertices);
-STATIC_CHECK(offsetof(mien_evaluate_options, stable_count) == 56, place_of_mien_evaluate_options_stable_count);
-STATIC_CHECK(offsetof(mien_evaluate_options, progress) == 64, place_of_mien_evaluate_options_progress);
-STATIC_CHECK(offsetof(mien_evaluate_options, progress_user) == 72, place_of_mien_evaluate_options_progress_user);
-STATIC_CHECK(offsetof(mien_evaluate_options, cancel) == 80, place_of_mien_evaluate_options_cancel);
+STATIC_CHECK(sizeof(mien_anthropometry_options) == 120, size_of_mien_anthropometry_options);
+STATIC_CHECK(offsetof(mien_anthropometry_options, struct_size) == 0, place_of_mien_anthropometry_options_struct_size);
+STATIC_CHECK(offsetof(mien_anthropometry_options, reserved) == 4, place_of_mien_anthropometry_options_reserved);
+STATIC_CHECK(offsetof(mien_anthropometry_options, place_sd) == 8, place_of_mien_anthropometry_options_place_sd);
+STATIC_CHECK(offsetof(mien_anthropometry_options, normal_sd) == 40, place_of_mien_anthropometry_options_normal_sd);
+STATIC_CHECK(offsetof(mien_anthropometry_options, slide_correlation_mm) == 72, place_of_mien_anthropometry_options_slide_correlation_mm);
+STATIC_CHECK(offsetof(mien_anthropometry_options, normal_correlation_mm) == 80, place_of_mien_anthropometry_options_normal_correlation_mm);
+STATIC_CHECK(offsetof(mien_anthropometry_options, norms) == 88, place_of_mien_anthropometry_options_norms);
+STATIC_CHECK(offsetof(mien_anthropometry_options, progress) == 96, place_of_mien_anthropometry_options_progress);
+STATIC_CHECK(offsetof(mien_anthropometry_options, progress_user) == 104, place_of_mien_anthropometry_options_progress_user);
+STATIC_CHECK(offsetof(mien_anthropometry_options, cancel) == 112, place_of_mien_anthropometry_options_cancel);
+STATIC_CHECK(sizeof(mien_anthropometric_value) == 64, size_of_mien_anthropometric_value);
+STATIC_CHECK(offsetof(mien_anthropometric_value, struct_size) == 0, place_of_mien_anthropometric_value_struct_size);
+STATIC_CHECK(offsetof(mien_anthropometric_value, kind) == 4, place_of_mien_anthropometric_value_kind);
+STATIC_CHECK(offsetof(mien_anthropometric_value, value) == 8, place_of_mien_anthropometric_value_value);
+STATIC_CHECK(offsetof(mien_anthropometric_value, sd) == 16, place_of_mien_anthropometric_value_sd);
+STATIC_CHECK(offsetof(mien_anthropometric_value, z) == 24, place_of_mien_anthropometric_value_z);
+STATIC_CHECK(offsetof(mien_anthropometric_value, z_sd) == 32, place_of_mien_anthropometric_value_z_sd);
+STATIC_CHECK(offsetof(mien_anthropometric_value, norm_mean) == 40, place_of_mien_anthropometric_value_norm_mean);
+STATIC_CHECK(offsetof(mien_anthropometric_value, norm_sd) == 48, place_of_mien_anthropometric_value_norm_sd);
+STATIC_CHECK(offsetof(mien_anthropometric_value, norm_people) == 56, place_of_mien_anthropometric_value_norm_people);
 STATIC_CHECK(sizeof(mien_measure_options) == 184, size_of_mien_measure_options);
 STATIC_CHECK(offsetof(mien_measure_options, struct_size) == 0, place_of_mien_measure_options_struct_size);
 STATIC_CHECK(offsetof(mien_measure_options, skip_borders) == 4, place_of_mien_measure_options_skip_borders);
@@ -268,6 +188,140 @@ STATIC_CHECK(offsetof(mien_zone_alignment, rotation_sd_rad) == 24, place_of_mien
 STATIC_CHECK(offsetof(mien_zone_alignment, translation_sd_mm) == 32, place_of_mien_zone_alignment_translation_sd_mm);
 STATIC_CHECK(offsetof(mien_zone_alignment, centre) == 40, place_of_mien_zone_alignment_centre);
 STATIC_CHECK(offsetof(mien_zone_alignment, matrix) == 64, place_of_mien_zone_alignment_matrix);
+STATIC_CHECK(sizeof(mien_asymmetry_options) == 96, size_of_mien_asymmetry_options);
+STATIC_CHECK(offsetof(mien_asymmetry_options, struct_size) == 0, place_of_mien_asymmetry_options_struct_size);
+STATIC_CHECK(offsetof(mien_asymmetry_options, plane) == 4, place_of_mien_asymmetry_options_plane);
+STATIC_CHECK(offsetof(mien_asymmetry_options, zones) == 8, place_of_mien_asymmetry_options_zones);
+STATIC_CHECK(offsetof(mien_asymmetry_options, zone_count) == 16, place_of_mien_asymmetry_options_zone_count);
+STATIC_CHECK(offsetof(mien_asymmetry_options, landmarks) == 24, place_of_mien_asymmetry_options_landmarks);
+STATIC_CHECK(offsetof(mien_asymmetry_options, normal_sd) == 32, place_of_mien_asymmetry_options_normal_sd);
+STATIC_CHECK(offsetof(mien_asymmetry_options, correlation_length_mm) == 64, place_of_mien_asymmetry_options_correlation_length_mm);
+STATIC_CHECK(offsetof(mien_asymmetry_options, progress) == 72, place_of_mien_asymmetry_options_progress);
+STATIC_CHECK(offsetof(mien_asymmetry_options, progress_user) == 80, place_of_mien_asymmetry_options_progress_user);
+STATIC_CHECK(offsetof(mien_asymmetry_options, cancel) == 88, place_of_mien_asymmetry_options_cancel);
+STATIC_CHECK(sizeof(mien_mirror_plane) == 104, size_of_mien_mirror_plane);
+STATIC_CHECK(offsetof(mien_mirror_plane, struct_size) == 0, place_of_mien_mirror_plane_struct_size);
+STATIC_CHECK(offsetof(mien_mirror_plane, by) == 4, place_of_mien_mirror_plane_by);
+STATIC_CHECK(offsetof(mien_mirror_plane, pairs) == 8, place_of_mien_mirror_plane_pairs);
+STATIC_CHECK(offsetof(mien_mirror_plane, normal) == 16, place_of_mien_mirror_plane_normal);
+STATIC_CHECK(offsetof(mien_mirror_plane, centre) == 40, place_of_mien_mirror_plane_centre);
+STATIC_CHECK(offsetof(mien_mirror_plane, rms_mm) == 64, place_of_mien_mirror_plane_rms_mm);
+STATIC_CHECK(offsetof(mien_mirror_plane, tilt_sd_rad) == 72, place_of_mien_mirror_plane_tilt_sd_rad);
+STATIC_CHECK(offsetof(mien_mirror_plane, offset_sd_mm) == 80, place_of_mien_mirror_plane_offset_sd_mm);
+STATIC_CHECK(offsetof(mien_mirror_plane, between_rad) == 88, place_of_mien_mirror_plane_between_rad);
+STATIC_CHECK(offsetof(mien_mirror_plane, apart_mm) == 96, place_of_mien_mirror_plane_apart_mm);
+STATIC_CHECK(sizeof(mien_spectral_basis_options) == 40, size_of_mien_spectral_basis_options);
+STATIC_CHECK(offsetof(mien_spectral_basis_options, struct_size) == 0, place_of_mien_spectral_basis_options_struct_size);
+STATIC_CHECK(offsetof(mien_spectral_basis_options, mode_count) == 4, place_of_mien_spectral_basis_options_mode_count);
+STATIC_CHECK(offsetof(mien_spectral_basis_options, mass) == 8, place_of_mien_spectral_basis_options_mass);
+STATIC_CHECK(offsetof(mien_spectral_basis_options, cotangents) == 12, place_of_mien_spectral_basis_options_cotangents);
+STATIC_CHECK(offsetof(mien_spectral_basis_options, progress) == 16, place_of_mien_spectral_basis_options_progress);
+STATIC_CHECK(offsetof(mien_spectral_basis_options, progress_user) == 24, place_of_mien_spectral_basis_options_progress_user);
+STATIC_CHECK(offsetof(mien_spectral_basis_options, cancel) == 32, place_of_mien_spectral_basis_options_cancel);
+STATIC_CHECK(sizeof(mien_blendshape_options) == 40, size_of_mien_blendshape_options);
+STATIC_CHECK(offsetof(mien_blendshape_options, struct_size) == 0, place_of_mien_blendshape_options_struct_size);
+STATIC_CHECK(offsetof(mien_blendshape_options, reserved) == 4, place_of_mien_blendshape_options_reserved);
+STATIC_CHECK(offsetof(mien_blendshape_options, ridge) == 8, place_of_mien_blendshape_options_ridge);
+STATIC_CHECK(offsetof(mien_blendshape_options, progress) == 16, place_of_mien_blendshape_options_progress);
+STATIC_CHECK(offsetof(mien_blendshape_options, progress_user) == 24, place_of_mien_blendshape_options_progress_user);
+STATIC_CHECK(offsetof(mien_blendshape_options, cancel) == 32, place_of_mien_blendshape_options_cancel);
+STATIC_CHECK(sizeof(mien_band_choice) == 40, size_of_mien_band_choice);
+STATIC_CHECK(offsetof(mien_band_choice, k) == 0, place_of_mien_band_choice_k);
+STATIC_CHECK(offsetof(mien_band_choice, l1_mm) == 8, place_of_mien_band_choice_l1_mm);
+STATIC_CHECK(offsetof(mien_band_choice, dame) == 16, place_of_mien_band_choice_dame);
+STATIC_CHECK(offsetof(mien_band_choice, fmpd) == 24, place_of_mien_band_choice_fmpd);
+STATIC_CHECK(offsetof(mien_band_choice, on_front) == 32, place_of_mien_band_choice_on_front);
+STATIC_CHECK(offsetof(mien_band_choice, chosen) == 36, place_of_mien_band_choice_chosen);
+STATIC_CHECK(sizeof(mien_register_options) == 272, size_of_mien_register_options);
+STATIC_CHECK(offsetof(mien_register_options, struct_size) == 0, place_of_mien_register_options_struct_size);
+STATIC_CHECK(offsetof(mien_register_options, growth) == 4, place_of_mien_register_options_growth);
+STATIC_CHECK(offsetof(mien_register_options, landmarks) == 8, place_of_mien_register_options_landmarks);
+STATIC_CHECK(offsetof(mien_register_options, landmark_count) == 16, place_of_mien_register_options_landmark_count);
+STATIC_CHECK(offsetof(mien_register_options, landmark_sigma_mm) == 24, place_of_mien_register_options_landmark_sigma_mm);
+STATIC_CHECK(offsetof(mien_register_options, start) == 32, place_of_mien_register_options_start);
+STATIC_CHECK(offsetof(mien_register_options, units) == 36, place_of_mien_register_options_units);
+STATIC_CHECK(offsetof(mien_register_options, scan_weights) == 40, place_of_mien_register_options_scan_weights);
+STATIC_CHECK(offsetof(mien_register_options, skin_weights) == 72, place_of_mien_register_options_skin_weights);
+STATIC_CHECK(offsetof(mien_register_options, close_gap) == 76, place_of_mien_register_options_close_gap);
+STATIC_CHECK(offsetof(mien_register_options, max_scalar_modes) == 80, place_of_mien_register_options_max_scalar_modes);
+STATIC_CHECK(offsetof(mien_register_options, max_pca_modes) == 84, place_of_mien_register_options_max_pca_modes);
+STATIC_CHECK(offsetof(mien_register_options, iterations) == 88, place_of_mien_register_options_iterations);
+STATIC_CHECK(offsetof(mien_register_options, reject_border) == 92, place_of_mien_register_options_reject_border);
+STATIC_CHECK(offsetof(mien_register_options, sigma_start_mm) == 96, place_of_mien_register_options_sigma_start_mm);
+STATIC_CHECK(offsetof(mien_register_options, sigma_end_mm) == 104, place_of_mien_register_options_sigma_end_mm);
+STATIC_CHECK(offsetof(mien_register_options, max_angle_deg) == 112, place_of_mien_register_options_max_angle_deg);
+STATIC_CHECK(offsetof(mien_register_options, start_rotation) == 120, place_of_mien_register_options_start_rotation);
+STATIC_CHECK(offsetof(mien_register_options, start_translation) == 192, place_of_mien_register_options_start_translation);
+STATIC_CHECK(offsetof(mien_register_options, start_scale) == 216, place_of_mien_register_options_start_scale);
+STATIC_CHECK(offsetof(mien_register_options, progress) == 224, place_of_mien_register_options_progress);
+STATIC_CHECK(offsetof(mien_register_options, progress_user) == 232, place_of_mien_register_options_progress_user);
+STATIC_CHECK(offsetof(mien_register_options, cancel) == 240, place_of_mien_register_options_cancel);
+STATIC_CHECK(offsetof(mien_register_options, color_features) == 248, place_of_mien_register_options_color_features);
+STATIC_CHECK(offsetof(mien_register_options, reserved) == 252, place_of_mien_register_options_reserved);
+STATIC_CHECK(offsetof(mien_register_options, unit_to_mm) == 256, place_of_mien_register_options_unit_to_mm);
+STATIC_CHECK(offsetof(mien_register_options, landmark_sides) == 264, place_of_mien_register_options_landmark_sides);
+STATIC_CHECK(offsetof(mien_register_options, reserved2) == 268, place_of_mien_register_options_reserved2);
+STATIC_CHECK(sizeof(mien_fit_verdict) == 80, size_of_mien_fit_verdict);
+STATIC_CHECK(offsetof(mien_fit_verdict, struct_size) == 0, place_of_mien_fit_verdict_struct_size);
+STATIC_CHECK(offsetof(mien_fit_verdict, quality) == 4, place_of_mien_fit_verdict_quality);
+STATIC_CHECK(offsetof(mien_fit_verdict, coverage) == 8, place_of_mien_fit_verdict_coverage);
+STATIC_CHECK(offsetof(mien_fit_verdict, inlier_share) == 16, place_of_mien_fit_verdict_inlier_share);
+STATIC_CHECK(offsetof(mien_fit_verdict, mean_residual_mm) == 24, place_of_mien_fit_verdict_mean_residual_mm);
+STATIC_CHECK(offsetof(mien_fit_verdict, landmark_rms_mm) == 32, place_of_mien_fit_verdict_landmark_rms_mm);
+STATIC_CHECK(offsetof(mien_fit_verdict, size_ratio) == 40, place_of_mien_fit_verdict_size_ratio);
+STATIC_CHECK(offsetof(mien_fit_verdict, mean_deviation) == 48, place_of_mien_fit_verdict_mean_deviation);
+STATIC_CHECK(offsetof(mien_fit_verdict, unit_to_mm) == 56, place_of_mien_fit_verdict_unit_to_mm);
+STATIC_CHECK(offsetof(mien_fit_verdict, landmarks_used) == 64, place_of_mien_fit_verdict_landmarks_used);
+STATIC_CHECK(offsetof(mien_fit_verdict, landmarks_rejected) == 68, place_of_mien_fit_verdict_landmarks_rejected);
+STATIC_CHECK(offsetof(mien_fit_verdict, flipped_triangles) == 72, place_of_mien_fit_verdict_flipped_triangles);
+STATIC_CHECK(offsetof(mien_fit_verdict, self_intersections) == 76, place_of_mien_fit_verdict_self_intersections);
+STATIC_CHECK(sizeof(mien_expected_error) == 40, size_of_mien_expected_error);
+STATIC_CHECK(offsetof(mien_expected_error, struct_size) == 0, place_of_mien_expected_error_struct_size);
+STATIC_CHECK(offsetof(mien_expected_error, quality) == 4, place_of_mien_expected_error_quality);
+STATIC_CHECK(offsetof(mien_expected_error, expected_mm) == 8, place_of_mien_expected_error_expected_mm);
+STATIC_CHECK(offsetof(mien_expected_error, low_mm) == 16, place_of_mien_expected_error_low_mm);
+STATIC_CHECK(offsetof(mien_expected_error, high_mm) == 24, place_of_mien_expected_error_high_mm);
+STATIC_CHECK(offsetof(mien_expected_error, unseen) == 32, place_of_mien_expected_error_unseen);
+STATIC_CHECK(sizeof(mien_neutralize_options) == 128, size_of_mien_neutralize_options);
+STATIC_CHECK(offsetof(mien_neutralize_options, struct_size) == 0, place_of_mien_neutralize_options_struct_size);
+STATIC_CHECK(offsetof(mien_neutralize_options, method) == 4, place_of_mien_neutralize_options_method);
+STATIC_CHECK(offsetof(mien_neutralize_options, max_sweeps) == 8, place_of_mien_neutralize_options_max_sweeps);
+STATIC_CHECK(offsetof(mien_neutralize_options, uncertainty) == 12, place_of_mien_neutralize_options_uncertainty);
+STATIC_CHECK(offsetof(mien_neutralize_options, pose) == 16, place_of_mien_neutralize_options_pose);
+STATIC_CHECK(offsetof(mien_neutralize_options, reserved) == 20, place_of_mien_neutralize_options_reserved);
+STATIC_CHECK(offsetof(mien_neutralize_options, tolerance_mm) == 24, place_of_mien_neutralize_options_tolerance_mm);
+STATIC_CHECK(offsetof(mien_neutralize_options, noise_mm2) == 32, place_of_mien_neutralize_options_noise_mm2);
+STATIC_CHECK(offsetof(mien_neutralize_options, decay_mm) == 40, place_of_mien_neutralize_options_decay_mm);
+STATIC_CHECK(offsetof(mien_neutralize_options, weights) == 48, place_of_mien_neutralize_options_weights);
+STATIC_CHECK(offsetof(mien_neutralize_options, progress) == 80, place_of_mien_neutralize_options_progress);
+STATIC_CHECK(offsetof(mien_neutralize_options, progress_user) == 88, place_of_mien_neutralize_options_progress_user);
+STATIC_CHECK(offsetof(mien_neutralize_options, cancel) == 96, place_of_mien_neutralize_options_cancel);
+STATIC_CHECK(offsetof(mien_neutralize_options, treated) == 104, place_of_mien_neutralize_options_treated);
+STATIC_CHECK(offsetof(mien_neutralize_options, treated_count) == 112, place_of_mien_neutralize_options_treated_count);
+STATIC_CHECK(offsetof(mien_neutralize_options, treated_margin_mm) == 120, place_of_mien_neutralize_options_treated_margin_mm);
+STATIC_CHECK(sizeof(mien_zone_reading) == 32, size_of_mien_zone_reading);
+STATIC_CHECK(offsetof(mien_zone_reading, struct_size) == 0, place_of_mien_zone_reading_struct_size);
+STATIC_CHECK(offsetof(mien_zone_reading, differ) == 4, place_of_mien_zone_reading_differ);
+STATIC_CHECK(offsetof(mien_zone_reading, probability) == 8, place_of_mien_zone_reading_probability);
+STATIC_CHECK(offsetof(mien_zone_reading, removed_mm) == 16, place_of_mien_zone_reading_removed_mm);
+STATIC_CHECK(offsetof(mien_zone_reading, removed_ml) == 24, place_of_mien_zone_reading_removed_ml);
+STATIC_CHECK(sizeof(mien_evaluate_options) == 104, size_of_mien_evaluate_options);
+STATIC_CHECK(offsetof(mien_evaluate_options, struct_size) == 0, place_of_mien_evaluate_options_struct_size);
+STATIC_CHECK(offsetof(mien_evaluate_options, method) == 4, place_of_mien_evaluate_options_method);
+STATIC_CHECK(offsetof(mien_evaluate_options, max_sweeps) == 8, place_of_mien_evaluate_options_max_sweeps);
+STATIC_CHECK(offsetof(mien_evaluate_options, against_method) == 12, place_of_mien_evaluate_options_against_method);
+STATIC_CHECK(offsetof(mien_evaluate_options, against_max_sweeps) == 16, place_of_mien_evaluate_options_against_max_sweeps);
+STATIC_CHECK(offsetof(mien_evaluate_options, reserved) == 20, place_of_mien_evaluate_options_reserved);
+STATIC_CHECK(offsetof(mien_evaluate_options, against) == 24, place_of_mien_evaluate_options_against);
+STATIC_CHECK(offsetof(mien_evaluate_options, zone_vertices) == 32, place_of_mien_evaluate_options_zone_vertices);
+STATIC_CHECK(offsetof(mien_evaluate_options, zone_count) == 40, place_of_mien_evaluate_options_zone_count);
+STATIC_CHECK(offsetof(mien_evaluate_options, stable_vertices) == 48, place_of_mien_evaluate_options_stable_vertices);
+STATIC_CHECK(offsetof(mien_evaluate_options, stable_count) == 56, place_of_mien_evaluate_options_stable_count);
+STATIC_CHECK(offsetof(mien_evaluate_options, progress) == 64, place_of_mien_evaluate_options_progress);
+STATIC_CHECK(offsetof(mien_evaluate_options, progress_user) == 72, place_of_mien_evaluate_options_progress_user);
+STATIC_CHECK(offsetof(mien_evaluate_options, cancel) == 80, place_of_mien_evaluate_options_cancel);
+STATIC_CHECK(offsetof(mien_evaluate_options, volume_zones) == 88, place_of_mien_evaluate_options_volume_zones);
+STATIC_CHECK(offsetof(mien_evaluate_options, volume_zone_count) == 96, place_of_mien_evaluate_options_volume_zone_count);
 STATIC_CHECK(sizeof(mien_network_options) == 16, size_of_mien_network_options);
 STATIC_CHECK(offsetof(mien_network_options, struct_size) == 0, place_of_mien_network_options_struct_size);
 STATIC_CHECK(offsetof(mien_network_options, reserved) == 4, place_of_mien_network_options_reserved);
@@ -288,7 +342,7 @@ STATIC_CHECK(offsetof(mien_representation_options, neutral_only) == 4, place_of_
 STATIC_CHECK(offsetof(mien_representation_options, progress) == 8, place_of_mien_representation_options_progress);
 STATIC_CHECK(offsetof(mien_representation_options, progress_user) == 16, place_of_mien_representation_options_progress_user);
 STATIC_CHECK(offsetof(mien_representation_options, cancel) == 24, place_of_mien_representation_options_cancel);
-STATIC_CHECK(sizeof(mien_score_options) == 128, size_of_mien_score_options);
+STATIC_CHECK(sizeof(mien_score_options) == 136, size_of_mien_score_options);
 STATIC_CHECK(offsetof(mien_score_options, struct_size) == 0, place_of_mien_score_options_struct_size);
 STATIC_CHECK(offsetof(mien_score_options, method) == 4, place_of_mien_score_options_method);
 STATIC_CHECK(offsetof(mien_score_options, num_components) == 8, place_of_mien_score_options_num_components);
@@ -309,6 +363,8 @@ STATIC_CHECK(offsetof(mien_score_options, progress_user) == 104, place_of_mien_s
 STATIC_CHECK(offsetof(mien_score_options, cancel) == 112, place_of_mien_score_options_cancel);
 STATIC_CHECK(offsetof(mien_score_options, focus) == 120, place_of_mien_score_options_focus);
 STATIC_CHECK(offsetof(mien_score_options, reserved2) == 124, place_of_mien_score_options_reserved2);
+STATIC_CHECK(offsetof(mien_score_options, features) == 128, place_of_mien_score_options_features);
+STATIC_CHECK(offsetof(mien_score_options, reserved3) == 132, place_of_mien_score_options_reserved3);
 STATIC_CHECK(sizeof(mien_score_prediction) == 40, size_of_mien_score_prediction);
 STATIC_CHECK(offsetof(mien_score_prediction, struct_size) == 0, place_of_mien_score_prediction_struct_size);
 STATIC_CHECK(offsetof(mien_score_prediction, extrapolates) == 4, place_of_mien_score_prediction_extrapolates);
@@ -642,168 +698,6 @@ JNIEXPORT void JNICALL Java_mien_RawJni_mien_1mesh_1release(JNIEnv *env, jobject
     mien_mesh_release((mien_mesh*)(intptr_t)mesh);
 }
 
-JNIEXPORT void JNICALL Java_mien_RawJni_mien_1spectral_1basis_1options_1init(JNIEnv *env, jobject self, jlong options, jlong struct_size) {
-    (void)env;
-    (void)self;
-    mien_spectral_basis_options_init((mien_spectral_basis_options*)(intptr_t)options, (size_t)struct_size);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1spectral_1basis_1build(JNIEnv *env, jobject self, jlong session, jlong mean, jlong options, jlong out, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_spectral_basis_build((mien_session*)(intptr_t)session, (const mien_mesh*)(intptr_t)mean, (const mien_spectral_basis_options*)(intptr_t)options, (mien_spectral_basis**)(intptr_t)out, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1spectral_1basis_1load(JNIEnv *env, jobject self, jlong session, jlong path, jlong out, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_spectral_basis_load((mien_session*)(intptr_t)session, (const char*)(intptr_t)path, (mien_spectral_basis**)(intptr_t)out, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1spectral_1basis_1save(JNIEnv *env, jobject self, jlong session, jlong basis, jlong path, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_spectral_basis_save((mien_session*)(intptr_t)session, (const mien_spectral_basis*)(intptr_t)basis, (const char*)(intptr_t)path, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1spectral_1basis_1get_1counts(JNIEnv *env, jobject self, jlong basis, jlong vertex_count, jlong mode_count, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_spectral_basis_get_counts((const mien_spectral_basis*)(intptr_t)basis, (uint64_t*)(intptr_t)vertex_count, (uint64_t*)(intptr_t)mode_count, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1spectral_1basis_1get_1eigenvalues(JNIEnv *env, jobject self, jlong basis, jlong dst, jlong capacity, jlong count, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_spectral_basis_get_eigenvalues((const mien_spectral_basis*)(intptr_t)basis, (double*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT void JNICALL Java_mien_RawJni_mien_1spectral_1basis_1retain(JNIEnv *env, jobject self, jlong basis) {
-    (void)env;
-    (void)self;
-    mien_spectral_basis_retain((mien_spectral_basis*)(intptr_t)basis);
-}
-
-JNIEXPORT void JNICALL Java_mien_RawJni_mien_1spectral_1basis_1release(JNIEnv *env, jobject self, jlong basis) {
-    (void)env;
-    (void)self;
-    mien_spectral_basis_release((mien_spectral_basis*)(intptr_t)basis);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1spectral_1split(JNIEnv *env, jobject self, jlong session, jlong basis, jlong face, jlong k, jlong low, jlong high, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_spectral_split((mien_session*)(intptr_t)session, (const mien_spectral_basis*)(intptr_t)basis, (const mien_mesh*)(intptr_t)face, (uint64_t)k, (mien_mesh**)(intptr_t)low, (mien_mesh**)(intptr_t)high, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1spectral_1assemble(JNIEnv *env, jobject self, jlong session, jlong basis, jlong low, jlong high, jlong k, jlong out, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_spectral_assemble((mien_session*)(intptr_t)session, (const mien_spectral_basis*)(intptr_t)basis, (const mien_mesh*)(intptr_t)low, (const mien_mesh*)(intptr_t)high, (uint64_t)k, (mien_mesh**)(intptr_t)out, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1spectral_1edit(JNIEnv *env, jobject self, jlong session, jlong basis, jlong face, jlong limits, jlong limit_count, jlong gains, jlong out, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_spectral_edit((mien_session*)(intptr_t)session, (const mien_spectral_basis*)(intptr_t)basis, (const mien_mesh*)(intptr_t)face, (const uint64_t*)(intptr_t)limits, (uint64_t)limit_count, (const double*)(intptr_t)gains, (mien_mesh**)(intptr_t)out, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1spectral_1mix(JNIEnv *env, jobject self, jlong session, jlong basis, jlong first, jlong second, jlong limits, jlong limit_count, jlong weights, jlong out, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_spectral_mix((mien_session*)(intptr_t)session, (const mien_spectral_basis*)(intptr_t)basis, (const mien_mesh*)(intptr_t)first, (const mien_mesh*)(intptr_t)second, (const uint64_t*)(intptr_t)limits, (uint64_t)limit_count, (const double*)(intptr_t)weights, (mien_mesh**)(intptr_t)out, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1metric(JNIEnv *env, jobject self, jlong session, jint metric, jlong reference, jlong other, jlong value, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_metric((mien_session*)(intptr_t)session, (int32_t)metric, (const mien_mesh*)(intptr_t)reference, (const mien_mesh*)(intptr_t)other, (double*)(intptr_t)value, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1transfer_1expression(JNIEnv *env, jobject self, jlong session, jlong source_neutral, jlong source_expression, jlong target_neutral, jlong out, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_transfer_expression((mien_session*)(intptr_t)session, (const mien_mesh*)(intptr_t)source_neutral, (const mien_mesh*)(intptr_t)source_expression, (const mien_mesh*)(intptr_t)target_neutral, (mien_mesh**)(intptr_t)out, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT void JNICALL Java_mien_RawJni_mien_1blendshape_1options_1init(JNIEnv *env, jobject self, jlong options, jlong struct_size) {
-    (void)env;
-    (void)self;
-    mien_blendshape_options_init((mien_blendshape_options*)(intptr_t)options, (size_t)struct_size);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1blendshape_1model_1train(JNIEnv *env, jobject self, jlong session, jlong dataset_path, jlong expression, jlong options, jlong out, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_blendshape_model_train((mien_session*)(intptr_t)session, (const char*)(intptr_t)dataset_path, (const char*)(intptr_t)expression, (const mien_blendshape_options*)(intptr_t)options, (mien_blendshape_model**)(intptr_t)out, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1blendshape_1model_1load(JNIEnv *env, jobject self, jlong session, jlong path, jlong out, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_blendshape_model_load((mien_session*)(intptr_t)session, (const char*)(intptr_t)path, (mien_blendshape_model**)(intptr_t)out, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1blendshape_1model_1save(JNIEnv *env, jobject self, jlong session, jlong model, jlong path, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_blendshape_model_save((mien_session*)(intptr_t)session, (const mien_blendshape_model*)(intptr_t)model, (const char*)(intptr_t)path, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1blendshape_1model_1get_1mean(JNIEnv *env, jobject self, jlong model, jlong out, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_blendshape_model_get_mean((const mien_blendshape_model*)(intptr_t)model, (mien_mesh**)(intptr_t)out, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1blendshape_1model_1predict(JNIEnv *env, jobject self, jlong session, jlong model, jlong basis, jlong k, jlong neutral, jlong out, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_blendshape_model_predict((mien_session*)(intptr_t)session, (const mien_blendshape_model*)(intptr_t)model, (const mien_spectral_basis*)(intptr_t)basis, (uint64_t)k, (const mien_mesh*)(intptr_t)neutral, (mien_mesh**)(intptr_t)out, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1blendshape_1model_1search(JNIEnv *env, jobject self, jlong session, jlong model, jlong basis, jlong dataset_path, jlong expression, jlong candidates, jint candidate_count, jlong options, jlong choices, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_blendshape_model_search((mien_session*)(intptr_t)session, (const mien_blendshape_model*)(intptr_t)model, (const mien_spectral_basis*)(intptr_t)basis, (const char*)(intptr_t)dataset_path, (const char*)(intptr_t)expression, (const uint64_t*)(intptr_t)candidates, (uint32_t)candidate_count, (const mien_blendshape_options*)(intptr_t)options, (mien_band_choice*)(intptr_t)choices, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT void JNICALL Java_mien_RawJni_mien_1blendshape_1model_1retain(JNIEnv *env, jobject self, jlong model) {
-    (void)env;
-    (void)self;
-    mien_blendshape_model_retain((mien_blendshape_model*)(intptr_t)model);
-}
-
-JNIEXPORT void JNICALL Java_mien_RawJni_mien_1blendshape_1model_1release(JNIEnv *env, jobject self, jlong model) {
-    (void)env;
-    (void)self;
-    mien_blendshape_model_release((mien_blendshape_model*)(intptr_t)model);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1dataset_1writer_1create(JNIEnv *env, jobject self, jlong session, jlong topology, jlong expression_names, jint expression_count, jlong out, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_dataset_writer_create((mien_session*)(intptr_t)session, (const mien_mesh*)(intptr_t)topology, (const char* const*)(intptr_t)expression_names, (uint32_t)expression_count, (mien_dataset_writer**)(intptr_t)out, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1dataset_1writer_1add(JNIEnv *env, jobject self, jlong writer, jlong positions, jint subject, jint expression, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_dataset_writer_add((mien_dataset_writer*)(intptr_t)writer, (const mien_array_view*)(intptr_t)positions, (int32_t)subject, (int32_t)expression, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1dataset_1writer_1save(JNIEnv *env, jobject self, jlong session, jlong writer, jlong path, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_dataset_writer_save((mien_session*)(intptr_t)session, (const mien_dataset_writer*)(intptr_t)writer, (const char*)(intptr_t)path, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT void JNICALL Java_mien_RawJni_mien_1dataset_1writer_1release(JNIEnv *env, jobject self, jlong writer) {
-    (void)env;
-    (void)self;
-    mien_dataset_writer_release((mien_dataset_writer*)(intptr_t)writer);
-}
-
 JNIEXPORT void JNICALL Java_mien_RawJni_mien_1model_1options_1init(JNIEnv *env, jobject self, jlong options, jlong struct_size) {
     (void)env;
     (void)self;
@@ -1038,6 +932,366 @@ JNIEXPORT void JNICALL Java_mien_RawJni_mien_1zones_1release(JNIEnv *env, jobjec
     mien_zones_release((mien_zones*)(intptr_t)zones);
 }
 
+JNIEXPORT void JNICALL Java_mien_RawJni_mien_1anthropometry_1options_1init(JNIEnv *env, jobject self, jlong options, jlong struct_size) {
+    (void)env;
+    (void)self;
+    mien_anthropometry_options_init((mien_anthropometry_options*)(intptr_t)options, (size_t)struct_size);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1landmarks_1add_1profile(JNIEnv *env, jobject self, jlong landmarks, jlong template_mesh, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_landmarks_add_profile((const mien_landmarks*)(intptr_t)landmarks, (const mien_mesh*)(intptr_t)template_mesh, (mien_landmarks**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1measure_1anthropometry(JNIEnv *env, jobject self, jlong session, jlong face, jlong landmarks, jlong options, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_measure_anthropometry((mien_session*)(intptr_t)session, (const mien_mesh*)(intptr_t)face, (const mien_landmarks*)(intptr_t)landmarks, (const mien_anthropometry_options*)(intptr_t)options, (mien_anthropometry**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1anthropometry_1get_1counts(JNIEnv *env, jobject self, jlong anthropometry, jlong count, jlong known_count, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_anthropometry_get_counts((const mien_anthropometry*)(intptr_t)anthropometry, (uint64_t*)(intptr_t)count, (uint64_t*)(intptr_t)known_count, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1anthropometry_1get_1name(JNIEnv *env, jobject self, jlong anthropometry, jlong index, jlong dst, jlong capacity, jlong count, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_anthropometry_get_name((const mien_anthropometry*)(intptr_t)anthropometry, (uint64_t)index, (char*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1anthropometry_1get_1value(JNIEnv *env, jobject self, jlong anthropometry, jlong index, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_anthropometry_get_value((const mien_anthropometry*)(intptr_t)anthropometry, (uint64_t)index, (mien_anthropometric_value*)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1anthropometry_1get_1reason(JNIEnv *env, jobject self, jlong anthropometry, jlong index, jlong dst, jlong capacity, jlong count, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_anthropometry_get_reason((const mien_anthropometry*)(intptr_t)anthropometry, (uint64_t)index, (char*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1anthropometry_1get_1json(JNIEnv *env, jobject self, jlong anthropometry, jlong dst, jlong capacity, jlong count, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_anthropometry_get_json((const mien_anthropometry*)(intptr_t)anthropometry, (char*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT void JNICALL Java_mien_RawJni_mien_1anthropometry_1release(JNIEnv *env, jobject self, jlong anthropometry) {
+    (void)env;
+    (void)self;
+    mien_anthropometry_release((mien_anthropometry*)(intptr_t)anthropometry);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1norms_1create(JNIEnv *env, jobject self, jlong session, jlong dataset_path, jlong landmarks, jlong options, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_norms_create((mien_session*)(intptr_t)session, (const char*)(intptr_t)dataset_path, (const mien_landmarks*)(intptr_t)landmarks, (const mien_anthropometry_options*)(intptr_t)options, (mien_norms**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1norms_1load(JNIEnv *env, jobject self, jlong session, jlong path, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_norms_load((mien_session*)(intptr_t)session, (const char*)(intptr_t)path, (mien_norms**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1norms_1save(JNIEnv *env, jobject self, jlong session, jlong norms, jlong path, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_norms_save((mien_session*)(intptr_t)session, (const mien_norms*)(intptr_t)norms, (const char*)(intptr_t)path, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1norms_1get_1json(JNIEnv *env, jobject self, jlong norms, jlong dst, jlong capacity, jlong count, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_norms_get_json((const mien_norms*)(intptr_t)norms, (char*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT void JNICALL Java_mien_RawJni_mien_1norms_1release(JNIEnv *env, jobject self, jlong norms) {
+    (void)env;
+    (void)self;
+    mien_norms_release((mien_norms*)(intptr_t)norms);
+}
+
+JNIEXPORT void JNICALL Java_mien_RawJni_mien_1measure_1options_1init(JNIEnv *env, jobject self, jlong options, jlong struct_size) {
+    (void)env;
+    (void)self;
+    mien_measure_options_init((mien_measure_options*)(intptr_t)options, (size_t)struct_size);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1measure_1volume(JNIEnv *env, jobject self, jlong session, jlong before, jlong after, jlong options, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_measure_volume((mien_session*)(intptr_t)session, (const mien_mesh*)(intptr_t)before, (const mien_mesh*)(intptr_t)after, (const mien_measure_options*)(intptr_t)options, (mien_measurement**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1measure_1distance(JNIEnv *env, jobject self, jlong session, jlong before, jlong after, jlong options, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_measure_distance((mien_session*)(intptr_t)session, (const mien_mesh*)(intptr_t)before, (const mien_mesh*)(intptr_t)after, (const mien_measure_options*)(intptr_t)options, (mien_measurement**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1measure_1surface_1distance(JNIEnv *env, jobject self, jlong session, jlong before, jlong after, jlong options, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_measure_surface_distance((mien_session*)(intptr_t)session, (const mien_mesh*)(intptr_t)before, (const mien_mesh*)(intptr_t)after, (const mien_measure_options*)(intptr_t)options, (mien_measurement**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1measure_1closed_1volume(JNIEnv *env, jobject self, jlong session, jlong mesh, jint close_rims, jlong volume_ml, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_measure_closed_volume((mien_session*)(intptr_t)session, (const mien_mesh*)(intptr_t)mesh, (int32_t)close_rims, (double*)(intptr_t)volume_ml, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1measure_1area(JNIEnv *env, jobject self, jlong session, jlong mesh, jlong zone, jlong area_mm2, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_measure_area((mien_session*)(intptr_t)session, (const mien_mesh*)(intptr_t)mesh, (const mien_zone*)(intptr_t)zone, (double*)(intptr_t)area_mm2, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1measure_1curvature(JNIEnv *env, jobject self, jlong session, jlong mesh, jdouble radius_mm, jint robust, jlong options, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_measure_curvature((mien_session*)(intptr_t)session, (const mien_mesh*)(intptr_t)mesh, (double)radius_mm, (int32_t)robust, (const mien_measure_options*)(intptr_t)options, (mien_measurement**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1measure_1lengths(JNIEnv *env, jobject self, jlong session, jlong mesh, jlong pairs, jlong pair_count, jlong straight_mm, jlong geodesic_mm, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_measure_lengths((mien_session*)(intptr_t)session, (const mien_mesh*)(intptr_t)mesh, (const uint32_t*)(intptr_t)pairs, (uint64_t)pair_count, (double*)(intptr_t)straight_mm, (double*)(intptr_t)geodesic_mm, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1measure_1scan_1volume(JNIEnv *env, jobject self, jlong session, jlong before, jlong after, jint carry, jlong direction, jlong options, jlong coverage, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_measure_scan_volume((mien_session*)(intptr_t)session, (const mien_mesh*)(intptr_t)before, (const mien_mesh*)(intptr_t)after, (int32_t)carry, (const double*)(intptr_t)direction, (const mien_measure_options*)(intptr_t)options, (double*)(intptr_t)coverage, (mien_measurement**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1measure_1align(JNIEnv *env, jobject self, jlong session, jlong moving, jlong target, jlong stable, jlong info, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_measure_align((mien_session*)(intptr_t)session, (const mien_mesh*)(intptr_t)moving, (const mien_mesh*)(intptr_t)target, (const mien_zone*)(intptr_t)stable, (mien_zone_alignment*)(intptr_t)info, (mien_mesh**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1measurement_1get_1zones(JNIEnv *env, jobject self, jlong measurement, jlong zone_count, jlong zones_disjoint, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_measurement_get_zones((const mien_measurement*)(intptr_t)measurement, (uint32_t*)(intptr_t)zone_count, (int32_t*)(intptr_t)zones_disjoint, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1measurement_1get_1volume(JNIEnv *env, jobject self, jlong measurement, jint zone, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_measurement_get_volume((const mien_measurement*)(intptr_t)measurement, (int32_t)zone, (mien_zone_volume*)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1measurement_1get_1distance(JNIEnv *env, jobject self, jlong measurement, jint zone, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_measurement_get_distance((const mien_measurement*)(intptr_t)measurement, (int32_t)zone, (mien_zone_distance*)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1measurement_1get_1field(JNIEnv *env, jobject self, jlong measurement, jint field, jlong dst, jlong capacity, jlong count, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_measurement_get_field((const mien_measurement*)(intptr_t)measurement, (int32_t)field, (double*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1measurement_1get_1json(JNIEnv *env, jobject self, jlong measurement, jlong dst, jlong capacity, jlong count, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_measurement_get_json((const mien_measurement*)(intptr_t)measurement, (char*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT void JNICALL Java_mien_RawJni_mien_1measurement_1release(JNIEnv *env, jobject self, jlong measurement) {
+    (void)env;
+    (void)self;
+    mien_measurement_release((mien_measurement*)(intptr_t)measurement);
+}
+
+JNIEXPORT void JNICALL Java_mien_RawJni_mien_1asymmetry_1options_1init(JNIEnv *env, jobject self, jlong options, jlong struct_size) {
+    (void)env;
+    (void)self;
+    mien_asymmetry_options_init((mien_asymmetry_options*)(intptr_t)options, (size_t)struct_size);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1measure_1asymmetry(JNIEnv *env, jobject self, jlong session, jlong face, jlong template_mesh, jlong options, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_measure_asymmetry((mien_session*)(intptr_t)session, (const mien_mesh*)(intptr_t)face, (const mien_mesh*)(intptr_t)template_mesh, (const mien_asymmetry_options*)(intptr_t)options, (mien_measurement**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1measurement_1get_1mirror_1plane(JNIEnv *env, jobject self, jlong measurement, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_measurement_get_mirror_plane((const mien_measurement*)(intptr_t)measurement, (mien_mirror_plane*)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT void JNICALL Java_mien_RawJni_mien_1spectral_1basis_1options_1init(JNIEnv *env, jobject self, jlong options, jlong struct_size) {
+    (void)env;
+    (void)self;
+    mien_spectral_basis_options_init((mien_spectral_basis_options*)(intptr_t)options, (size_t)struct_size);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1spectral_1basis_1build(JNIEnv *env, jobject self, jlong session, jlong mean, jlong options, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_spectral_basis_build((mien_session*)(intptr_t)session, (const mien_mesh*)(intptr_t)mean, (const mien_spectral_basis_options*)(intptr_t)options, (mien_spectral_basis**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1spectral_1basis_1load(JNIEnv *env, jobject self, jlong session, jlong path, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_spectral_basis_load((mien_session*)(intptr_t)session, (const char*)(intptr_t)path, (mien_spectral_basis**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1spectral_1basis_1save(JNIEnv *env, jobject self, jlong session, jlong basis, jlong path, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_spectral_basis_save((mien_session*)(intptr_t)session, (const mien_spectral_basis*)(intptr_t)basis, (const char*)(intptr_t)path, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1spectral_1basis_1get_1counts(JNIEnv *env, jobject self, jlong basis, jlong vertex_count, jlong mode_count, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_spectral_basis_get_counts((const mien_spectral_basis*)(intptr_t)basis, (uint64_t*)(intptr_t)vertex_count, (uint64_t*)(intptr_t)mode_count, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1spectral_1basis_1get_1eigenvalues(JNIEnv *env, jobject self, jlong basis, jlong dst, jlong capacity, jlong count, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_spectral_basis_get_eigenvalues((const mien_spectral_basis*)(intptr_t)basis, (double*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT void JNICALL Java_mien_RawJni_mien_1spectral_1basis_1retain(JNIEnv *env, jobject self, jlong basis) {
+    (void)env;
+    (void)self;
+    mien_spectral_basis_retain((mien_spectral_basis*)(intptr_t)basis);
+}
+
+JNIEXPORT void JNICALL Java_mien_RawJni_mien_1spectral_1basis_1release(JNIEnv *env, jobject self, jlong basis) {
+    (void)env;
+    (void)self;
+    mien_spectral_basis_release((mien_spectral_basis*)(intptr_t)basis);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1spectral_1split(JNIEnv *env, jobject self, jlong session, jlong basis, jlong face, jlong k, jlong low, jlong high, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_spectral_split((mien_session*)(intptr_t)session, (const mien_spectral_basis*)(intptr_t)basis, (const mien_mesh*)(intptr_t)face, (uint64_t)k, (mien_mesh**)(intptr_t)low, (mien_mesh**)(intptr_t)high, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1spectral_1assemble(JNIEnv *env, jobject self, jlong session, jlong basis, jlong low, jlong high, jlong k, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_spectral_assemble((mien_session*)(intptr_t)session, (const mien_spectral_basis*)(intptr_t)basis, (const mien_mesh*)(intptr_t)low, (const mien_mesh*)(intptr_t)high, (uint64_t)k, (mien_mesh**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1spectral_1edit(JNIEnv *env, jobject self, jlong session, jlong basis, jlong face, jlong limits, jlong limit_count, jlong gains, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_spectral_edit((mien_session*)(intptr_t)session, (const mien_spectral_basis*)(intptr_t)basis, (const mien_mesh*)(intptr_t)face, (const uint64_t*)(intptr_t)limits, (uint64_t)limit_count, (const double*)(intptr_t)gains, (mien_mesh**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1spectral_1mix(JNIEnv *env, jobject self, jlong session, jlong basis, jlong first, jlong second, jlong limits, jlong limit_count, jlong weights, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_spectral_mix((mien_session*)(intptr_t)session, (const mien_spectral_basis*)(intptr_t)basis, (const mien_mesh*)(intptr_t)first, (const mien_mesh*)(intptr_t)second, (const uint64_t*)(intptr_t)limits, (uint64_t)limit_count, (const double*)(intptr_t)weights, (mien_mesh**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1metric(JNIEnv *env, jobject self, jlong session, jint metric, jlong reference, jlong other, jlong value, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_metric((mien_session*)(intptr_t)session, (int32_t)metric, (const mien_mesh*)(intptr_t)reference, (const mien_mesh*)(intptr_t)other, (double*)(intptr_t)value, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1transfer_1expression(JNIEnv *env, jobject self, jlong session, jlong source_neutral, jlong source_expression, jlong target_neutral, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_transfer_expression((mien_session*)(intptr_t)session, (const mien_mesh*)(intptr_t)source_neutral, (const mien_mesh*)(intptr_t)source_expression, (const mien_mesh*)(intptr_t)target_neutral, (mien_mesh**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT void JNICALL Java_mien_RawJni_mien_1blendshape_1options_1init(JNIEnv *env, jobject self, jlong options, jlong struct_size) {
+    (void)env;
+    (void)self;
+    mien_blendshape_options_init((mien_blendshape_options*)(intptr_t)options, (size_t)struct_size);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1blendshape_1model_1train(JNIEnv *env, jobject self, jlong session, jlong dataset_path, jlong expression, jlong options, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_blendshape_model_train((mien_session*)(intptr_t)session, (const char*)(intptr_t)dataset_path, (const char*)(intptr_t)expression, (const mien_blendshape_options*)(intptr_t)options, (mien_blendshape_model**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1blendshape_1model_1load(JNIEnv *env, jobject self, jlong session, jlong path, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_blendshape_model_load((mien_session*)(intptr_t)session, (const char*)(intptr_t)path, (mien_blendshape_model**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1blendshape_1model_1save(JNIEnv *env, jobject self, jlong session, jlong model, jlong path, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_blendshape_model_save((mien_session*)(intptr_t)session, (const mien_blendshape_model*)(intptr_t)model, (const char*)(intptr_t)path, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1blendshape_1model_1get_1mean(JNIEnv *env, jobject self, jlong model, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_blendshape_model_get_mean((const mien_blendshape_model*)(intptr_t)model, (mien_mesh**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1blendshape_1model_1predict(JNIEnv *env, jobject self, jlong session, jlong model, jlong basis, jlong k, jlong neutral, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_blendshape_model_predict((mien_session*)(intptr_t)session, (const mien_blendshape_model*)(intptr_t)model, (const mien_spectral_basis*)(intptr_t)basis, (uint64_t)k, (const mien_mesh*)(intptr_t)neutral, (mien_mesh**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1blendshape_1model_1search(JNIEnv *env, jobject self, jlong session, jlong model, jlong basis, jlong dataset_path, jlong expression, jlong candidates, jint candidate_count, jlong options, jlong choices, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_blendshape_model_search((mien_session*)(intptr_t)session, (const mien_blendshape_model*)(intptr_t)model, (const mien_spectral_basis*)(intptr_t)basis, (const char*)(intptr_t)dataset_path, (const char*)(intptr_t)expression, (const uint64_t*)(intptr_t)candidates, (uint32_t)candidate_count, (const mien_blendshape_options*)(intptr_t)options, (mien_band_choice*)(intptr_t)choices, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT void JNICALL Java_mien_RawJni_mien_1blendshape_1model_1retain(JNIEnv *env, jobject self, jlong model) {
+    (void)env;
+    (void)self;
+    mien_blendshape_model_retain((mien_blendshape_model*)(intptr_t)model);
+}
+
+JNIEXPORT void JNICALL Java_mien_RawJni_mien_1blendshape_1model_1release(JNIEnv *env, jobject self, jlong model) {
+    (void)env;
+    (void)self;
+    mien_blendshape_model_release((mien_blendshape_model*)(intptr_t)model);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1dataset_1writer_1create(JNIEnv *env, jobject self, jlong session, jlong topology, jlong expression_names, jint expression_count, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_dataset_writer_create((mien_session*)(intptr_t)session, (const mien_mesh*)(intptr_t)topology, (const char* const*)(intptr_t)expression_names, (uint32_t)expression_count, (mien_dataset_writer**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1dataset_1writer_1add(JNIEnv *env, jobject self, jlong writer, jlong positions, jint subject, jint expression, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_dataset_writer_add((mien_dataset_writer*)(intptr_t)writer, (const mien_array_view*)(intptr_t)positions, (int32_t)subject, (int32_t)expression, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1dataset_1writer_1save(JNIEnv *env, jobject self, jlong session, jlong writer, jlong path, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_dataset_writer_save((mien_session*)(intptr_t)session, (const mien_dataset_writer*)(intptr_t)writer, (const char*)(intptr_t)path, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT void JNICALL Java_mien_RawJni_mien_1dataset_1writer_1release(JNIEnv *env, jobject self, jlong writer) {
+    (void)env;
+    (void)self;
+    mien_dataset_writer_release((mien_dataset_writer*)(intptr_t)writer);
+}
+
 JNIEXPORT void JNICALL Java_mien_RawJni_mien_1register_1options_1init(JNIEnv *env, jobject self, jlong options, jlong struct_size) {
     (void)env;
     (void)self;
@@ -1236,6 +1490,12 @@ JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1neutralization_1get_1uncertainty(J
     return (jint)mien_neutralization_get_uncertainty((const mien_neutralization*)(intptr_t)neutralization, (double*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
 }
 
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1neutralization_1get_1reading(JNIEnv *env, jobject self, jlong neutralization, jint reading, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_neutralization_get_reading((const mien_neutralization*)(intptr_t)neutralization, (int32_t)reading, (mien_zone_reading*)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
 JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1neutralization_1get_1json(JNIEnv *env, jobject self, jlong neutralization, jlong dst, jlong capacity, jlong count, jlong error) {
     (void)env;
     (void)self;
@@ -1336,102 +1596,6 @@ JNIEXPORT void JNICALL Java_mien_RawJni_mien_1hierarchy_1release(JNIEnv *env, jo
     (void)env;
     (void)self;
     mien_hierarchy_release((mien_hierarchy*)(intptr_t)hierarchy);
-}
-
-JNIEXPORT void JNICALL Java_mien_RawJni_mien_1measure_1options_1init(JNIEnv *env, jobject self, jlong options, jlong struct_size) {
-    (void)env;
-    (void)self;
-    mien_measure_options_init((mien_measure_options*)(intptr_t)options, (size_t)struct_size);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1measure_1volume(JNIEnv *env, jobject self, jlong session, jlong before, jlong after, jlong options, jlong out, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_measure_volume((mien_session*)(intptr_t)session, (const mien_mesh*)(intptr_t)before, (const mien_mesh*)(intptr_t)after, (const mien_measure_options*)(intptr_t)options, (mien_measurement**)(intptr_t)out, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1measure_1distance(JNIEnv *env, jobject self, jlong session, jlong before, jlong after, jlong options, jlong out, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_measure_distance((mien_session*)(intptr_t)session, (const mien_mesh*)(intptr_t)before, (const mien_mesh*)(intptr_t)after, (const mien_measure_options*)(intptr_t)options, (mien_measurement**)(intptr_t)out, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1measure_1surface_1distance(JNIEnv *env, jobject self, jlong session, jlong before, jlong after, jlong options, jlong out, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_measure_surface_distance((mien_session*)(intptr_t)session, (const mien_mesh*)(intptr_t)before, (const mien_mesh*)(intptr_t)after, (const mien_measure_options*)(intptr_t)options, (mien_measurement**)(intptr_t)out, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1measure_1closed_1volume(JNIEnv *env, jobject self, jlong session, jlong mesh, jint close_rims, jlong volume_ml, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_measure_closed_volume((mien_session*)(intptr_t)session, (const mien_mesh*)(intptr_t)mesh, (int32_t)close_rims, (double*)(intptr_t)volume_ml, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1measure_1area(JNIEnv *env, jobject self, jlong session, jlong mesh, jlong zone, jlong area_mm2, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_measure_area((mien_session*)(intptr_t)session, (const mien_mesh*)(intptr_t)mesh, (const mien_zone*)(intptr_t)zone, (double*)(intptr_t)area_mm2, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1measure_1curvature(JNIEnv *env, jobject self, jlong session, jlong mesh, jdouble radius_mm, jint robust, jlong options, jlong out, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_measure_curvature((mien_session*)(intptr_t)session, (const mien_mesh*)(intptr_t)mesh, (double)radius_mm, (int32_t)robust, (const mien_measure_options*)(intptr_t)options, (mien_measurement**)(intptr_t)out, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1measure_1lengths(JNIEnv *env, jobject self, jlong session, jlong mesh, jlong pairs, jlong pair_count, jlong straight_mm, jlong geodesic_mm, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_measure_lengths((mien_session*)(intptr_t)session, (const mien_mesh*)(intptr_t)mesh, (const uint32_t*)(intptr_t)pairs, (uint64_t)pair_count, (double*)(intptr_t)straight_mm, (double*)(intptr_t)geodesic_mm, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1measure_1scan_1volume(JNIEnv *env, jobject self, jlong session, jlong before, jlong after, jint carry, jlong direction, jlong options, jlong coverage, jlong out, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_measure_scan_volume((mien_session*)(intptr_t)session, (const mien_mesh*)(intptr_t)before, (const mien_mesh*)(intptr_t)after, (int32_t)carry, (const double*)(intptr_t)direction, (const mien_measure_options*)(intptr_t)options, (double*)(intptr_t)coverage, (mien_measurement**)(intptr_t)out, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1measure_1align(JNIEnv *env, jobject self, jlong session, jlong moving, jlong target, jlong stable, jlong info, jlong out, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_measure_align((mien_session*)(intptr_t)session, (const mien_mesh*)(intptr_t)moving, (const mien_mesh*)(intptr_t)target, (const mien_zone*)(intptr_t)stable, (mien_zone_alignment*)(intptr_t)info, (mien_mesh**)(intptr_t)out, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1measurement_1get_1zones(JNIEnv *env, jobject self, jlong measurement, jlong zone_count, jlong zones_disjoint, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_measurement_get_zones((const mien_measurement*)(intptr_t)measurement, (uint32_t*)(intptr_t)zone_count, (int32_t*)(intptr_t)zones_disjoint, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1measurement_1get_1volume(JNIEnv *env, jobject self, jlong measurement, jint zone, jlong out, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_measurement_get_volume((const mien_measurement*)(intptr_t)measurement, (int32_t)zone, (mien_zone_volume*)(intptr_t)out, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1measurement_1get_1distance(JNIEnv *env, jobject self, jlong measurement, jint zone, jlong out, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_measurement_get_distance((const mien_measurement*)(intptr_t)measurement, (int32_t)zone, (mien_zone_distance*)(intptr_t)out, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1measurement_1get_1field(JNIEnv *env, jobject self, jlong measurement, jint field, jlong dst, jlong capacity, jlong count, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_measurement_get_field((const mien_measurement*)(intptr_t)measurement, (int32_t)field, (double*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1measurement_1get_1json(JNIEnv *env, jobject self, jlong measurement, jlong dst, jlong capacity, jlong count, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_measurement_get_json((const mien_measurement*)(intptr_t)measurement, (char*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT void JNICALL Java_mien_RawJni_mien_1measurement_1release(JNIEnv *env, jobject self, jlong measurement) {
-    (void)env;
-    (void)self;
-    mien_measurement_release((mien_measurement*)(intptr_t)measurement);
 }
 
 JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1mesh_1inspect(JNIEnv *env, jobject self, jlong session, jlong mesh, jlong dst, jlong capacity, jlong count, jlong error) {

@@ -27,7 +27,10 @@ typedef struct mien_evaluate_options {
     uint64_t stable_count;
     mien_progress_fn progress; /**< may be null */
     void* progress_user;
-    mien_cancel* cancel; /**< may be null */
+    mien_cancel* cancel;           /**< may be null */
+    const mien_zone* volume_zones; /**< absolute volumes to the neutral face are measured in these,
+                                      too; null: none. Since 0.2 */
+    uint64_t volume_zone_count;
 } mien_evaluate_options;
 
 /**
@@ -72,7 +75,7 @@ MIEN_API mien_status MIEN_CALL mien_evaluate_neutralization(
 /**
  * The table as a JSON object: "expressions", a list, and "all" (without the neutral faces), each
  * with faces, baseline, result, against (mean_mm, sd_mm, max_vertex_mm) and the effects cohens_d,
- * superiority.
+ * superiority; with options.volume_zones "volumes", the same per zone (mean_ml, sd_ml, median_ml).
  *
  * @param evaluation [in] not null.
  * @param dst        [out] room for capacity bytes, or null.

@@ -5,6 +5,8 @@
 #ifndef MIEN_MIEN_H
 #define MIEN_MIEN_H
 
+#include "anthropometry.h"
+#include "asymmetry.h"
 #include "blendshapes.h"
 #include "config.h"
 #include "dataset.h"

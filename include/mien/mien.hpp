@@ -3,6 +3,7 @@
 #ifndef MIEN_MIEN_HPP
 #define MIEN_MIEN_HPP
 
+#include "detail/anthropometry.hpp"
 #include "detail/core.hpp"
 #include "detail/expression.hpp"
 #include "detail/landmarks.hpp"

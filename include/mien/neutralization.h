@@ -42,8 +42,29 @@ typedef struct mien_neutralize_options {
     mien_array_view weights;   /**< #V x 1, >= 0: 0 where the scan had no data; count 0: all one */
     mien_progress_fn progress; /**< may be null */
     void* progress_user;
-    mien_cancel* cancel; /**< may be null */
+    mien_cancel* cancel;     /**< may be null */
+    const uint32_t* treated; /**< treated_count vertices where the person may have been changed: no
+                                witness of expression or pose, so that filler in a lip stays on the
+                                face and is not taken for a rolled lip; null: none. Since 0.2 */
+    uint64_t treated_count;
+    double treated_margin_mm; /**< around them, no witness either; treatments spread; 0 to 100,
+                                 default 10 */
 } mien_neutralize_options;
+
+/** How a treated zone is read. */
+enum {
+    MIEN_READING_TREATED = 0,      /**< the zone is no witness: what the result holds */
+    MIEN_READING_AS_EXPRESSION = 1 /**< all of the face is a witness */
+};
+
+/** What a reading takes off inside the treated zone (without its margin). */
+typedef struct mien_zone_reading {
+    uint32_t struct_size;
+    int32_t differ;     /**< 1: the two readings see another expression and another volume */
+    double probability; /**< of the likeliest expression, which the JSON names */
+    double removed_mm;  /**< root mean square over the zone */
+    double removed_ml;  /**< by which the zone stood out through the expression, to first order */
+} mien_zone_reading;
 
 /**
  * Writes the defaults into the first struct_size bytes of *options and zeroes what it does not
@@ -187,8 +208,28 @@ mien_neutralization_get_uncertainty(const mien_neutralization* neutralization, d
                                     uint64_t capacity, uint64_t* count, mien_error* error);
 
 /**
+ * How a treated zone is read, both ways: treatments of lips, brows and the corners of the mouth can
+ * look like expressions. Set out->struct_size first.
+ *
+ * @param neutralization [in] not null; made with options.treated.
+ * @param reading        [in] MIEN_READING_*.
+ * @param out            [in,out] not null; struct_size as the caller knows it, the rest is written.
+ * @param error          [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (reading),
+ * MIEN_E_NOT_FOUND (nothing was treated)
+ * @owner  nothing
+ * @thread thread-safe
+ * @cancel no
+ * @cost   O(1)
+ * @since  0.2
+ */
+MIEN_API mien_status MIEN_CALL
+mien_neutralization_get_reading(const mien_neutralization* neutralization, int32_t reading,
+                                mien_zone_reading* out, mien_error* error);
+
+/**
  * The report as a JSON object: expression found, its probability and the others', displacement,
- * residual, coordinates.
+ * residual, coordinates; with options.treated both readings of the zone.
  *
  * @param neutralization [in] not null.
  * @param dst            [out] room for capacity bytes, or null.

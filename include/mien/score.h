@@ -15,6 +15,14 @@ typedef struct mien_score_model mien_score_model;
 /** Which algorithm finds the latent variables; with one score both give the same regression. */
 enum { MIEN_PLS_NIPALS = 0, MIEN_PLS_SIMPLS = 1 };
 
+/** What each vertex gives. jousse-2022 (B.2) has 17 numbers a vertex without naming them; ours are
+ * displacement (3), change of the normal (3), k1, k2, mean and Gaussian curvature, curvedness, and
+ * the curvature tensor (6), each of them an equal part of curvature_share. */
+enum {
+    MIEN_SCORE_FEATURES_DISPLACEMENT_AND_CURVATURE = 0, /**< displacement, k1, k2 */
+    MIEN_SCORE_FEATURES_ALL = 1                         /**< all 17 */
+};
+
 /** Initialise with mien_score_options_init(). */
 typedef struct mien_score_options {
     uint32_t struct_size;
@@ -39,6 +47,8 @@ typedef struct mien_score_options {
     uint32_t focus; /**< 1 (default): vertices count by how far they move with the score, found anew
                        in each fold; 0: by their area alone */
     uint32_t reserved2; /**< zero */
+    int32_t features;   /**< MIEN_SCORE_FEATURES_*; default displacement and curvature. Since 0.2 */
+    uint32_t reserved3; /**< zero */
 } mien_score_options;
 
 /** A predicted score. */

@@ -160,7 +160,7 @@ std::vector<std::uint32_t> zone_vertices(const std::string& path, const std::str
     std::vector<std::uint32_t> vertices;
     if (names.empty()) return vertices;
     if (path.empty()) throw std::runtime_error("zone names need a zone file: give --zones");
-    const auto zones = read_zones(path);
+    const auto zones = read_zones(path, {"lips"});
     for (std::size_t begin = 0; begin <= names.size();) {
         const std::size_t end = std::min(names.find(',', begin), names.size());
         const std::string name = names.substr(begin, end - begin);

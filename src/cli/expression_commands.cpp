@@ -31,7 +31,8 @@ struct NeutralizeSettings {
     Common common;
     std::string model, in, out, fit = "mixture", pose = "auto", scan, scan_out, uncertainty_out,
                                 identity_out, weights;
-    std::string zones, changing;
+    std::string zones, changing, treated;
+    double margin = NeutralizeOptions().treated_margin_mm;
     std::vector<std::string> with, with_weights, with_out;
     int sweeps = 200;
     double max_distance = 0;
@@ -39,8 +40,9 @@ struct NeutralizeSettings {
 
 /// Several scans of one person: a neutral face of each, and the shared one.
 void run_series(const NeutralizeSettings& settings) {
-    if (!settings.scan.empty() || !settings.uncertainty_out.empty())
-        throw std::runtime_error("--scan and --uncertainty-out do not go with --with");
+    if (!settings.scan.empty() || !settings.uncertainty_out.empty() || !settings.treated.empty())
+        throw std::runtime_error(
+            "--scan, --uncertainty-out and --treated do not go with --with (there: --changing)");
     const Session session(settings.common.num_threads);
     const ExpressionModel model(session, settings.model);
     std::vector<Mesh> faces{Mesh(session, settings.in)};
@@ -85,6 +87,18 @@ void run_series(const NeutralizeSettings& settings) {
     write_report(settings.common, report);
 }
 
+/// What is taken off inside a treated zone, read as a treatment and as an expression.
+void print_readings(const nlohmann::json& zone) {
+    for (const char* key : {"treated", "as_expression"}) {
+        const nlohmann::json& reading = zone[key];
+        std::printf("treated zone, %s: %.3f mL (%.3f mm) taken off, expression %s (%.0f %%)\n",
+                    std::string(key) == "treated" ? "no witness" : "as a witness",
+                    reading["removed_ml"].get<double>(), reading["removed_mm"].get<double>(),
+                    reading["expression"].get<std::string>().c_str(),
+                    100 * reading["probability"].get<double>());
+    }
+}
+
 void run_neutralize(const NeutralizeSettings& settings) {
     if (settings.with_out.size() > settings.with.size())
         throw std::runtime_error("--with-out names more files than --with has faces");
@@ -108,6 +122,9 @@ void run_neutralize(const NeutralizeSettings& settings) {
         weights = read_weights(settings.weights, "weight");
         options.set_weights(weights);
     }
+    const std::vector<std::uint32_t> treated = zone_vertices(settings.zones, settings.treated);
+    options.set_treated(treated);
+    options.treated_margin_mm = settings.margin;
     const Neutralization result(session, model, face, options, progress_bar());
     result.mesh().save(session, settings.out);
     nlohmann::json report = nlohmann::json::parse(result.json());
@@ -118,6 +135,7 @@ void run_neutralize(const NeutralizeSettings& settings) {
                 report["max_displacement_mm"].get<double>());
     for (const nlohmann::json& warning : report["warnings"])
         std::printf("note: %s\n", warning.get<std::string>().c_str());
+    if (report.contains("treated_zone")) print_readings(report["treated_zone"]);
     if (!settings.uncertainty_out.empty()) {
         std::string text;
         char line[32];
@@ -159,6 +177,28 @@ void print_row(const nlohmann::json& row, bool compared) {
     std::printf(" %7.2f %6.1f\n", number(effect["cohens_d"]), 100 * number(effect["superiority"]));
 }
 
+/// Absolute volume to the neutral face per zone, means over the faces of an expression.
+void print_volumes(const nlohmann::json& report, bool compared) {
+    if (!report["all"].contains("volumes") || report["all"]["volumes"].empty()) return;
+    const std::size_t zones = report["all"]["volumes"].size();
+    for (std::size_t z = 0; z < zones; ++z) {
+        std::printf("\n%-16.16s %14s %14s%s   mL (sd)\n",
+                    report["all"]["volumes"][z]["zone"].get<std::string>().c_str(), "untouched",
+                    "result", compared ? "        against" : "");
+        const auto row = [&](const nlohmann::json& expression) {
+            const nlohmann::json& volume = expression["volumes"][z];
+            std::printf("%-16.16s", expression["expression"].get<std::string>().c_str());
+            for (const char* key : {"baseline", "result", "against"})
+                if (volume.contains(key))
+                    std::printf(" %6.2f (%5.2f)", volume[key]["mean_ml"].get<double>(),
+                                volume[key]["sd_ml"].get<double>());
+            std::printf("\n");
+        };
+        for (const nlohmann::json& expression : report["expressions"]) row(expression);
+        row(report["all"]);
+    }
+}
+
 void draw_table(const std::string& path, const nlohmann::json& report, bool compared) {
     std::vector<std::string> names, series{"untouched"};
     if (compared) series.push_back("against");
@@ -194,6 +234,16 @@ void run_evaluate(const EvaluateSettings& settings) {
     options.zone_count = zone.size();
     options.stable_vertices = stable.data();
     options.stable_count = stable.size();
+    std::vector<std::pair<std::string, std::vector<std::uint32_t>>> measured;
+    if (!settings.zones.empty()) measured = read_zones(settings.zones, {"lips"});
+    std::vector<mien_zone> volume_zones;
+    for (auto& [name, vertices] : measured) {
+        keep_below(vertices, model.vertex_count());
+        if (!vertices.empty())
+            volume_zones.push_back({name.c_str(), vertices.data(), vertices.size()});
+    }
+    options.volume_zones = volume_zones.data();
+    options.volume_zone_count = volume_zones.size();
     const bool compared = !settings.against.empty();
     const ExpressionModel against = compared ? ExpressionModel(session, settings.against) : model;
     if (compared) options.against = against.get();
@@ -204,6 +254,7 @@ void run_evaluate(const EvaluateSettings& settings) {
     std::printf(" %7s %6s\n", "d", "> %");
     for (const nlohmann::json& row : report["expressions"]) print_row(row, compared);
     print_row(report["all"], compared);
+    print_volumes(report, compared);
     if (!settings.picture.empty()) draw_table(settings.picture, report, compared);
     report["model"] = settings.model;
     report["data"] = settings.data;
@@ -253,8 +304,14 @@ void add_neutralize(CLI::App& app) {
         ->check(CLI::ExistingFile);
     neutralize->add_option("--with-out", settings->with_out,
                            "neutral faces of these faces, in their order");
-    neutralize->add_option("--zones", settings->zones, "zone file, for --changing")
+    neutralize->add_option("--zones", settings->zones, "zone file, for --treated and --changing")
         ->check(CLI::ExistingFile);
+    neutralize->add_option(
+        "--treated", settings->treated,
+        "zones (comma between) where the person may have been treated: no witness of expression");
+    neutralize->add_option("--margin", settings->margin, "around treated zones, mm")
+        ->check(CLI::Range(0.0, 100.0))
+        ->capture_default_str();
     neutralize->add_option(
         "--changing", settings->changing,
         "zones (comma between) where the person may change between the faces: a treated zone");

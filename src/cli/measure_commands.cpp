@@ -1,10 +1,11 @@
-// mien measure volume|area|distance|curvature|length: faces in, numbers per zone out, as a table
+// mien measure volume|area|distance|curvature|length (anthropometry, norms and asymmetry:
+// anthropometry_commands.cpp): faces in, numbers per zone out, as a table
 // and as JSON.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
-#include "report_fits.hpp"
+#include "measure_faces.hpp"
 
 namespace mien::cli {
 namespace {
@@ -23,17 +24,9 @@ struct MeasureSettings {
     bool surfaces = false, keep_borders = false, closed = false, close_rims = false;
 };
 
-std::vector<MeasureZone> zones_of(const std::string& path) {
-    std::vector<MeasureZone> zones;
-    if (!path.empty())
-        for (auto& [name, vertices] : read_zones(path))
-            zones.push_back({name, std::move(vertices)});
-    return zones;
-}
-
 MeasureOptions options_of(const MeasureSettings& settings) {
     MeasureOptions options;
-    options.zones = zones_of(settings.zones);
+    options.zones = measure_zones(settings.zones);
     options.correlation_length_mm = settings.correlation;
     options.common_bias_mm = settings.bias;
     options.limit_of_detection_ml = settings.limit;
@@ -41,20 +34,6 @@ MeasureOptions options_of(const MeasureSettings& settings) {
     options.skip_borders = !settings.keep_borders;
     options.progress = progress_bar();
     return options;
-}
-
-/// One value per vertex, one per line: what `mien render --scalar` reads.
-void write_field(const std::string& path, const std::vector<double>& values) {
-    std::string text;
-    char line[40];
-    for (double value : values) {
-        if (std::isfinite(value))
-            std::snprintf(line, sizeof line, "%.9g\n", value);
-        else
-            std::snprintf(line, sizeof line, "nan\n");
-        text += line;
-    }
-    write_file(path, text);
 }
 
 void print_volume_row(const std::string& name, const mien_zone_volume& v) {
@@ -114,30 +93,13 @@ void run_scan_volume(const MeasureSettings& settings) {
     write_report(settings.common, report);
 }
 
-/// A face and, where it is known, how far it may lie off the skin at each vertex, mm.
-struct KnownFace {
-    Mesh mesh;
-    std::vector<double> sd_mm;  ///< empty: not known
-};
-
-KnownFace read_face(const Session& session, const std::string& path, const std::string& json,
-                    const std::optional<double>& sd_mm) {
-    if (!is_record(path) && json.empty()) {
-        const Mesh mesh(session, path);
-        return {mesh,
-                sd_mm ? std::vector<double>(mesh.vertex_count(), *sd_mm) : std::vector<double>()};
-    }
-    const Registration fit = read_fitted(session, {path, json}, {}).fit;
-    if (fit.verdict().quality == MIEN_QUALITY_FAILED) return {fit.mesh(), {}};
-    return {fit.mesh(), fit.field(MIEN_REGISTRATION_NORMAL_DEVIATION_MM)};
-}
-
 void run_volume(const MeasureSettings& settings) {
     if (!settings.carry.empty()) return run_scan_volume(settings);
     const Session session(settings.common.num_threads);
     const KnownFace before =
-        read_face(session, settings.before, settings.before_json, settings.sd_before);
-    KnownFace after = read_face(session, settings.after, settings.after_json, settings.sd_after);
+        read_known_face(session, settings.before, settings.before_json, settings.sd_before);
+    KnownFace after =
+        read_known_face(session, settings.after, settings.after_json, settings.sd_after);
     MeasureOptions options = options_of(settings);
     nlohmann::json alignment;
     if (!settings.stable.empty()) {
@@ -197,7 +159,7 @@ void run_distance(const MeasureSettings& settings) {
 /// Area of one mesh, whole and per zone, and what it encloses where asked.
 nlohmann::json areas_of(const Session& session, const MeasureSettings& settings, const Mesh& mesh) {
     nlohmann::json areas{{"area_mm2", area_mm2(session, mesh)}, {"zones", nlohmann::json::array()}};
-    for (const MeasureZone& zone : zones_of(settings.zones))
+    for (const MeasureZone& zone : measure_zones(settings.zones))
         areas["zones"].push_back(
             {{"name", zone.name}, {"area_mm2", area_mm2(session, mesh, zone)}});
     if (settings.closed || settings.close_rims)
@@ -430,7 +392,8 @@ void add_length(CLI::App* measure, const SharedSettings& settings) {
 }  // namespace
 
 void add_measure_commands(CLI::App& app) {
-    CLI::App* measure = app.add_subcommand("measure", "volumes, areas and distances");
+    CLI::App* measure =
+        app.add_subcommand("measure", "volumes, areas, distances, anthropometry, asymmetry");
     measure->require_subcommand(1);
     const auto settings = std::make_shared<MeasureSettings>();
     add_volume(measure, settings);
@@ -438,6 +401,7 @@ void add_measure_commands(CLI::App& app) {
     add_area(measure, settings);
     add_curvature(measure, settings);
     add_length(measure, settings);
+    add_anthropometry_commands(*measure);
 }
 
 }  // namespace mien::cli

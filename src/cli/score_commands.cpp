@@ -18,6 +18,7 @@ struct ScoreCommand {
                                                                             values;
     int components = 0, max_components = 10, folds = 10, grade_count = 0;
     bool uniform = false;
+    std::string features = "basic";
     double curvature = 0.1, radius = 8.0, target = 0.0;
     std::vector<double> range;
 };
@@ -111,6 +112,9 @@ void run_train(const ScoreCommand& settings) {
     options.c.focus = settings.uniform ? 0 : 1;
     options.c.curvature_share = settings.curvature;
     options.c.curvature_radius_mm = settings.radius;
+    options.c.features = settings.features == "all"
+                             ? MIEN_SCORE_FEATURES_ALL
+                             : MIEN_SCORE_FEATURES_DISPLACEMENT_AND_CURVATURE;
     if (settings.range.size() == 2) {
         options.c.lowest = settings.range[0];
         options.c.highest = settings.range[1];
@@ -305,6 +309,11 @@ void add_score_training(CLI::App* score, const Settings& settings) {
     train->add_flag("--uniform", settings->uniform,
                     "every vertex counts by its area, not by how far it moves with the score");
     train->add_option("--curvature", settings->curvature, "weight of curvature features; 0: none")
+        ->capture_default_str();
+    train
+        ->add_option("--features", settings->features,
+                     "of each vertex: displacement and principal curvatures (5), or all 17")
+        ->check(CLI::IsMember({"basic", "all"}))
         ->capture_default_str();
     train->add_option("--curvature-radius", settings->radius, "mm")->capture_default_str();
     train->add_option("--range", settings->range, "lowest and highest grade")->expected(2);

@@ -1,5 +1,6 @@
 #include "expression/evaluation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -89,6 +90,7 @@ EvaluatedFaces evaluate_faces(const Context& context, const FaceDataset& dataset
         errors.expression.push_back(dataset.expression(k));
         errors.mean_mm.push_back(distance.mean());
         errors.max_mm.push_back(distance.maxCoeff());
+        if (options.volumes_ml) errors.volumes_ml.push_back(options.volumes_ml(target, face));
     }
     return errors;
 }
@@ -132,6 +134,19 @@ ErrorSummary summarize_moved(const EvaluatedFaces& errors, int neutral) {
             max_vertex = std::max(max_vertex, errors.max_mm[k]);
         }
     return summary_of("all", means, max_vertex);
+}
+
+VolumeSummary summarize_volume(std::vector<double> volumes) {
+    VolumeSummary summary;
+    if (volumes.empty()) return summary;
+    const Spread spread = spread_of(volumes);
+    summary.mean_ml = spread.mean;
+    summary.deviation_ml = std::sqrt(spread.variance);
+    std::sort(volumes.begin(), volumes.end());
+    const std::size_t half = volumes.size() / 2;
+    summary.median_ml =
+        volumes.size() % 2 == 1 ? volumes[half] : 0.5 * (volumes[half - 1] + volumes[half]);
+    return summary;
 }
 
 Effect effect_size(const std::vector<double>& first, const std::vector<double>& second) {

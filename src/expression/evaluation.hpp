@@ -23,6 +23,11 @@ struct EvaluationOptions {
     NeutralizeOptions neutralize;
     std::vector<std::uint32_t> zone;    ///< measure on these vertices; empty: all
     std::vector<std::uint32_t> stable;  ///< align every face rigidly to its target on these first
+    /// Volumes between a subject's neutral face and another of the faces, mL, one per entry of
+    /// `volume_names`; empty: none are measured. A room above measures them: this one does not know
+    /// how.
+    std::vector<std::string> volume_names;
+    std::function<std::vector<double>(const Points& neutral, const Points& face)> volumes_ml;
 };
 
 struct ErrorSummary {
@@ -41,7 +46,14 @@ struct EvaluatedFaces {
     std::vector<Index> face;
     std::vector<int> expression;
     std::vector<double> mean_mm, max_mm;
+    std::vector<std::vector<double>> volumes_ml;  ///< as EvaluationOptions::volumes_ml, or empty
 };
+
+/// A volume over the faces of one expression, mL.
+struct VolumeSummary {
+    double mean_ml = 0, deviation_ml = 0, median_ml = 0;
+};
+VolumeSummary summarize_volume(std::vector<double> volumes_ml);
 
 /// Result of one face: neutralized vertices in `face`'s place.
 using Neutralizer = std::function<void(Index face, Points& vertices)>;

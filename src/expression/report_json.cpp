@@ -41,6 +41,20 @@ std::vector<double> errors_of(const EvaluatedFaces& faces, int expression, int n
     return values;
 }
 
+using Volumes = std::vector<std::vector<double>>;  ///< per zone, over faces
+
+Volumes volumes_of(const EvaluatedFaces& faces, int expression, int neutral) {
+    Volumes volumes;
+    for (std::size_t k = 0; k < faces.face.size(); ++k) {
+        if (expression >= 0 ? faces.expression[k] != expression : faces.expression[k] == neutral)
+            continue;
+        volumes.resize(faces.volumes_ml[k].size());
+        for (std::size_t z = 0; z < volumes.size(); ++z)
+            volumes[z].push_back(faces.volumes_ml[k][z]);
+    }
+    return volumes;
+}
+
 void add_effect(JsonText& json, const char* key, const std::vector<double>& first,
                 const std::vector<double>& second) {
     const Effect effect = effect_size(first, second);
@@ -48,10 +62,45 @@ void add_effect(JsonText& json, const char* key, const std::vector<double>& firs
     json.field("cohens_d", effect.cohens_d).field("superiority", effect.superiority).end_object();
 }
 
+void add_reading(JsonText& json, const char* key, const ZoneReading& reading) {
+    json.key(key).begin_object();
+    json.field("expression", reading.expression)
+        .field("probability", reading.probability)
+        .field("removed_mm", reading.removed_mm)
+        .field("removed_ml", reading.removed_ml);
+    json.end_object();
+}
+
+void add_volumes(JsonText& json, const std::vector<std::string>& names, const Volumes& baseline,
+                 const Volumes& result, const Volumes& against) {
+    const auto add = [&](const char* key, const std::vector<double>& volumes) {
+        const VolumeSummary summary = summarize_volume(volumes);
+        json.key(key).begin_object();
+        json.field("mean_ml", summary.mean_ml)
+            .field("sd_ml", summary.deviation_ml)
+            .field("median_ml", summary.median_ml);
+        json.end_object();
+    };
+    json.key("volumes").begin_array();
+    for (std::size_t z = 0; z < names.size() && z < result.size(); ++z) {
+        json.begin_object().field("zone", names[z]);
+        add("baseline", baseline[z]);
+        add("result", result[z]);
+        add_effect(json, "effect_over_baseline", baseline[z], result[z]);
+        if (!against.empty()) {
+            add("against", against[z]);
+            add_effect(json, "effect_over_against", against[z], result[z]);
+        }
+        json.end_object();
+    }
+    json.end_array();
+}
+
 }  // namespace
 
 std::string evaluation_json(const FaceDataset& dataset, const EvaluatedFaces& baseline,
-                            const EvaluatedFaces& result, const EvaluatedFaces* against) {
+                            const EvaluatedFaces& result, const EvaluatedFaces* against,
+                            const std::vector<std::string>& volume_names) {
     const std::vector<std::string>& names = dataset.expression_names();
     const int neutral = dataset.neutral_expression();
     JsonText json;
@@ -66,6 +115,13 @@ std::string evaluation_json(const FaceDataset& dataset, const EvaluatedFaces& ba
             add_errors(json, "against", *other);
             add_effect(json, "effect_over_against", errors_of(*against, expression, neutral),
                        errors);
+        }
+        if (!volume_names.empty()) {
+            const auto chosen = [&](const EvaluatedFaces& faces) {
+                return volumes_of(faces, expression, neutral);
+            };
+            add_volumes(json, volume_names, chosen(baseline), chosen(result),
+                        against != nullptr ? chosen(*against) : Volumes());
         }
         json.end_object();
     };
@@ -117,7 +173,10 @@ std::string training_json(const ExpressionModel& model, const TrainReport& repor
     return json.end_object().take();
 }
 
-std::string neutralization_json(const ExpressionModel& model, const NeutralizationResult& result) {
+std::string neutralization_json(const ExpressionModel& model, const NeutralizationResult& result,
+                                const TreatedReadings* readings) {
+    std::vector<std::string> warnings = neutralization_warnings(model, result);
+    if (readings != nullptr && readings->differ) warnings.push_back(treated_warning(*readings));
     JsonText json;
     json.begin_object()
         .field("mean_displacement_mm", result.mean_displacement_mm)
@@ -131,7 +190,13 @@ std::string neutralization_json(const ExpressionModel& model, const Neutralizati
         .field("unseen_share", result.unseen_share)
         .field("sweeps", result.sweeps)
         .field("converged", result.converged);
-    json.field("warnings", neutralization_warnings(model, result));
+    json.field("warnings", warnings);
+    if (readings != nullptr) {
+        json.key("treated_zone").begin_object();
+        add_reading(json, "treated", readings->treated);
+        add_reading(json, "as_expression", readings->as_expression);
+        json.field("differ", readings->differ).end_object();
+    }
     if (!result.component_probabilities.empty()) {
         std::size_t best = 0;
         json.key("probabilities").begin_object();

@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "base/error.hpp"
-#include "base/json_text.hpp"
 #include "measure/interval.hpp"
 #include "measure/pair_check.hpp"
 
@@ -135,9 +134,7 @@ Measurement measurement_of(const ScanVolumeReport& report, double limit_of_detec
     return result;
 }
 
-std::string measurement_json(const Measurement& m) {
-    JsonText json;
-    json.begin_object();
+void write_measurement(JsonText& json, const Measurement& m) {
     if (m.volume) {
         json.key("volume");
         json.begin_object();
@@ -187,6 +184,12 @@ std::string measurement_json(const Measurement& m) {
         json.end_array();
         json.end_object();
     }
+}
+
+std::string measurement_json(const Measurement& measurement) {
+    JsonText json;
+    json.begin_object();
+    write_measurement(json, measurement);
     json.end_object();
     return json.take();
 }

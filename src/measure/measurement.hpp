@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "base/json_text.hpp"
 #include "measure/curvature_summary.hpp"
 #include "measure/distance.hpp"
 #include "measure/scan_volume.hpp"
@@ -49,5 +50,7 @@ Measurement measurement_of(const ScanVolumeReport& report, double limit_of_detec
 
 /// UTF-8, numbers shortest that read back the same; what is not known is null.
 std::string measurement_json(const Measurement& measurement);
+/// The members of measurement_json()'s object alone, into an open one.
+void write_measurement(JsonText& json, const Measurement& measurement);
 
 }  // namespace mien

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "measure/score_features.hpp"
 #include "measure/score_model.hpp"
 
 namespace mien {
@@ -65,6 +66,11 @@ void save_score_model(const std::string& path, const ScoreModel& m, const Contex
     if (!m.stable_zone.empty())
         tensors.push_back(
             {"stable_zone", DType::u32, {m.stable_zone.size()}, m.stable_zone.data()});
+    if (m.shape_scale.size() != 0)
+        tensors.push_back({"shape_scale",
+                           DType::f64,
+                           {static_cast<std::uint64_t>(kShapeFeatures)},
+                           m.shape_scale.data()});
     write_safetensors(path, tensors,
                       {{"kind", "mien-score-model"}, {"format", "1.0"}, {"units", "mm"}}, context);
 }
@@ -87,7 +93,9 @@ ScoreModel load_score_model(const std::string& path, const SafetensorsReadOption
     if (!(m.displacement_scale.minCoeff() >= 0) || !(m.curvature_scale.minCoeff() >= 0))
         fail(Status::bad_format, "%.100s: a negative feature scale", path.c_str());
     const Index used = (m.displacement_scale.array() > 0).count();
-    const std::int64_t p = used * (m.curvature_scale.maxCoeff() > 0 ? 5 : 3);
+    if (file.has("shape_scale")) m.shape_scale = read_vector(file, "shape_scale", kShapeFeatures);
+    const std::int64_t p =
+        feature_count({m.displacement_scale, m.curvature_scale, 0.0, m.shape_scale});
     m.feature_mean = read_vector(file, "feature_mean", p);
     m.rotations = read_columns(file, "rotations", -1, p);
     const std::int64_t a = m.rotations.cols();

@@ -22,7 +22,9 @@ void check_face(const ScoreModel& model, const PointsRef& face) {
 Vector latent_scores(const ScoreModel& model, const Points& aligned) {
     Eigen::RowVectorXd row(model.feature_mean.size());
     features_of(aligned, model.mean_face, model.triangles,
-                {model.displacement_scale, model.curvature_scale, model.curvature_radius_mm}, row);
+                {model.displacement_scale, model.curvature_scale, model.curvature_radius_mm,
+                 model.shape_scale},
+                row);
     return model.rotations.transpose() * (row.transpose() - model.feature_mean);
 }
 

@@ -29,14 +29,24 @@
 
 namespace mien {
 
+/// What a vertex gives. J (B.2) has 17 numbers a vertex and names two kinds of them, displacements
+/// and principal curvatures (5.2): which the others are is not published. Ours are listed at
+/// kShapeFeatures (score_features.hpp).
+enum class ScoreFeatures : std::int32_t {
+    displacement_and_curvature = 0,  ///< 5: displacement, k1, k2
+    all = 1                          ///< 17
+};
+
 struct ScoreOptions {
+    ScoreFeatures features = ScoreFeatures::displacement_and_curvature;
     PlsMethod method = PlsMethod::nipals;
     int num_components = 0;   ///< 0: by cross-validation and the one-standard-error rule
     int max_components = 10;  ///< 1 .. 50
     int folds = 10;           ///< 0: leave one person out
     std::uint64_t seed = 1;
     bool focus = true;             ///< false: every vertex counts by its area alone
-    double curvature_share = 0.1;  ///< total variance of curvatures over displacements; 0: none
+    double curvature_share = 0.1;  ///< total variance of curvatures (of all shape features
+                                   ///< together) over displacements; 0: none
     double curvature_radius_mm = 8.0;
     std::vector<std::uint32_t> zone;         ///< of interest; empty: the whole face
     std::vector<std::uint32_t> stable_zone;  ///< aligned on; empty: the whole face, robustly
@@ -49,6 +59,7 @@ struct ScoreModel {
     Triangles triangles;
     Vector displacement_scale;  ///< #V, 0 outside the zone; with the focus
     Vector curvature_scale;     ///< #V, all 0 without curvatures
+    Vector shape_scale;         ///< kShapeFeatures; empty: displacement and curvature alone
     std::vector<std::uint32_t> stable_zone;
     double curvature_radius_mm = 8.0;
     Vector feature_mean;              ///< p

@@ -109,6 +109,23 @@ void balance_curvature(double share, Index num_displacements, Matrix& features,
     curvature_scale *= scale;
 }
 
+/// The same for all shape features: each of them an equal part of the share.
+void balance_shape(double share, Index num_displacements, Matrix& features, Vector& shape_scale) {
+    const auto variance = [](const auto& column) {
+        return (column.array() - column.mean()).square().sum();
+    };
+    double spread = 0.0;
+    for (Index c = 0; c < num_displacements; ++c) spread += variance(features.col(c));
+    Vector bending = Vector::Zero(kShapeFeatures);
+    for (Index c = num_displacements; c < features.cols(); ++c)
+        bending[(c - num_displacements) % kShapeFeatures] += variance(features.col(c));
+    for (Index k = 0; k < kShapeFeatures; ++k)
+        shape_scale[k] =
+            bending[k] > 0 ? std::sqrt(share * spread / kShapeFeatures / bending[k]) : 0.0;
+    for (Index c = num_displacements; c < features.cols(); ++c)
+        features.col(c) *= shape_scale[(c - num_displacements) % kShapeFeatures];
+}
+
 /// Chooses the scales of the model's features and reads the faces by them.
 TrainingRows training_rows(const GradedFaces& graded, const ScoreOptions& options,
                            ScoreModel& model, const Context& context) {
@@ -118,8 +135,10 @@ TrainingRows training_rows(const GradedFaces& graded, const ScoreOptions& option
     model.displacement_scale = area_scale(options.zone, rows.areas);
     model.curvature_scale =
         options.curvature_share > 0 ? model.displacement_scale : Vector(Vector::Zero(num_vertices));
+    const bool all = options.features == ScoreFeatures::all && options.curvature_share > 0;
+    if (all) model.shape_scale = Vector::Ones(kShapeFeatures);
     const FeatureScales scales{model.displacement_scale, model.curvature_scale,
-                               model.curvature_radius_mm};
+                               model.curvature_radius_mm, model.shape_scale};
     const Index p = feature_count(scales);
     context.require_memory(
         static_cast<std::size_t>(n) * static_cast<std::size_t>(3 * p + 15 * num_vertices) * 8,
@@ -141,8 +160,12 @@ TrainingRows training_rows(const GradedFaces& graded, const ScoreOptions& option
     });
     context.progress(Stage::training, 0.7);
     rows.features = by_row;
-    balance_curvature(options.curvature_share, displacement_count(scales), rows.features,
-                      model.curvature_scale);
+    if (all)
+        balance_shape(options.curvature_share, displacement_count(scales), rows.features,
+                      model.shape_scale);
+    else
+        balance_curvature(options.curvature_share, displacement_count(scales), rows.features,
+                          model.curvature_scale);
     rows.displacements.colwise() -= rows.displacements.rowwise().mean().eval();
     return rows;
 }

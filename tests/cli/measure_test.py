@@ -112,6 +112,58 @@ class Measure(unittest.TestCase):
         self.assertNotEqual(done.returncode, 0)
         self.assertIn("nowhere", done.stderr)
 
+    def test_anthropometry_with_norms_and_reasons(self):
+        people = [sheet(lambda x, y: 0.01 * x * y, size=60 + k, cells=10) for k in range(12)]
+        data = write_faces(work / "norm_people.safetensors", [vertices for vertices, _ in people], people[0][1])
+        marks = work / "anatomy.json"
+        marks.write_text(json.dumps({"vertices": {"ch_right": 0, "Left-Cheilion": 10, "sn": 60, "gnathion": 5}}))
+        done = run("measure", "norms", "--data", data, "--landmarks", marks, "--out", work / "norms.json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        norm = json.loads((work / "norms.json").read_text())["norms"]["ch-ch"]
+        self.assertEqual(norm["people"], 12)
+        face = write_obj(work / "norm_face.obj", *sheet(lambda x, y: 0.01 * x * y, size=75, cells=10))
+        got = self.measured("anthropometry", face, "--landmarks", marks, "--norms", work / "norms.json", "--sd", 0.2)["anthropometry"]
+        by_name = {one["name"]: one for one in got["measurements"]}
+        self.assertGreaterEqual(len(by_name), 40)
+        width = by_name["ch-ch"]
+        self.assertAlmostEqual(width["value"], 75, delta=1e-4)
+        self.assertAlmostEqual(width["z"], (75 - norm["mean"]) / norm["sd"], delta=1e-3)
+        self.assertGreater(width["sd"], 0.1)
+        self.assertIn("zygion_left", by_name["zy-zy"]["reason"])
+        self.assertIsNone(by_name["zy-zy"]["value"])
+        self.assertEqual(got["landmarks"]["cheilion_left"], "Left-Cheilion")
+        self.assertIn("no deviation", run("measure", "anthropometry", face, "--landmarks", marks).stdout)
+        self.assertIn("landmarks", run("measure", "anthropometry", face).stderr)
+
+    def test_asymmetry_of_a_hill_on_one_side(self):
+        def half(height):
+            return lambda x, y: 0.01 * (x - 30) ** 2 + height * math.exp(-((x - 45) ** 2 + (y - 30) ** 2) / 40)
+
+        def centred(height):
+            vertices, triangles = sheet(half(height))
+            return [(x - 30, y, z) for x, y, z in vertices], triangles
+
+        template = write_obj(work / "sides.obj", *centred(0))
+        face = write_obj(work / "face_sides.obj", *centred(3))
+        done = run("model", "build", "--template", template, "--kernel", "euclidean-se", "--sigma", 30, "--modes", 5,
+                   "--accept-faults", "--out", work / "sides.safetensors")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        side = 31
+        (work / "sides.json").write_text(json.dumps({"zones": {
+            "cheek_left": [v for v in range(side * side) if v % side > 16], "cheek_right": [v for v in range(side * side) if v % side < 14]}}))
+        got = self.measured("asymmetry", face, "--model", work / "sides.safetensors", "--zones", work / "sides.json", "--sd", 0.1,
+                            "--field", work / "sides.txt", "--picture", work / "sides.png")
+        self.assertEqual([zone["name"] for zone in got["volume"]["zones"]], ["cheek"])
+        cheek = got["volume"]["zones"][0]
+        truth = 3 * math.pi * 40 / 1000
+        self.assertAlmostEqual(cheek["signed_ml"], truth, delta=0.05 * truth)
+        self.assertLess(cheek["low95_ml"], truth)
+        self.assertGreater(cheek["high95_ml"], truth)
+        self.assertGreater(got["asymmetry"]["plane"]["normal"][0], 0.999)
+        field = [float(x) for x in (work / "sides.txt").read_text().split()]
+        self.assertAlmostEqual(max(field), -min(field), delta=0.2)
+        self.assertEqual((work / "sides.png").read_bytes()[:4], b"\x89PNG")
+
     def test_bland_altman_of_the_published_peak_flows(self):
         wright = [494, 395, 516, 434, 476, 557, 413, 442, 650, 433, 417, 656, 267, 478, 178, 423, 427]
         mini = [512, 430, 520, 428, 500, 600, 364, 380, 658, 445, 432, 626, 260, 477, 259, 350, 451]

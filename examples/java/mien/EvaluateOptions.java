@@ -10,13 +10,14 @@ public final class EvaluateOptions implements Record_ {
     private ExpressionModel against;
     private int[] zoneVertices;
     private int[] stableVertices;
+    private java.util.List<Zone> volumeZones;
 
     /** With the library's defaults. */
     public EvaluateOptions() {
         try (Call call = new Call()) {
-            Memory at = call.room(88);
+            Memory at = call.room(104);
             int offset = 0;
-            Raw.GET.mien_evaluate_options_init(at.address, 88);
+            Raw.GET.mien_evaluate_options_init(at.address, 104);
             method = at.bytes.getInt(offset + 4);
             maxSweeps = at.bytes.getInt(offset + 8);
             againstMethod = at.bytes.getInt(offset + 12);
@@ -73,9 +74,16 @@ public final class EvaluateOptions implements Record_ {
     }
     public int[] stableVertices() { return stableVertices; }
 
+    /** absolute volumes to the neutral face are measured in these, too; null: none. Since 0.2 */
+    public EvaluateOptions volumeZones(java.util.List<Zone> value) {
+        volumeZones = value;
+        return this;
+    }
+    public java.util.List<Zone> volumeZones() { return volumeZones; }
+
     @Override
     public void fill(Call call, Memory at, int offset) {
-        Raw.GET.mien_evaluate_options_init(at.address + offset, 88);
+        Raw.GET.mien_evaluate_options_init(at.address + offset, 104);
         at.bytes.putInt(offset + 4, method);
         at.bytes.putInt(offset + 8, maxSweeps);
         at.bytes.putInt(offset + 12, againstMethod);
@@ -85,10 +93,12 @@ public final class EvaluateOptions implements Record_ {
         at.bytes.putLong(offset + 40, call.rows(zoneVertices, 1, "zone_vertices"));
         at.bytes.putLong(offset + 48, Memory.address(call.array(stableVertices)));
         at.bytes.putLong(offset + 56, call.rows(stableVertices, 1, "stable_vertices"));
+        at.bytes.putLong(offset + 88, Memory.address(call.records(volumeZones, 24)));
+        at.bytes.putLong(offset + 96, call.rows(volumeZones, 1, "volume_zones"));
     }
 
     Memory write(Call call, Progress progress, Cancel cancel) {
-        Memory at = call.room(88);
+        Memory at = call.room(104);
         fill(call, at, 0);
         at.bytes.putLong(64, call.progressFunction(progress));
         at.bytes.putLong(72, call.progressUser());

@@ -7,7 +7,8 @@ public final class Evaluation extends NativeObject {
 
     /**
      * The table as a JSON object: "expressions", a list, and "all" (without the neutral faces), each with faces,
-     * baseline, result, against (mean_mm, sd_mm, max_vertex_mm) and the effects cohens_d, superiority. C:
+     * baseline, result, against (mean_mm, sd_mm, max_vertex_mm) and the effects cohens_d, superiority; with
+     * options.volume_zones "volumes", the same per zone (mean_ml, sd_ml, median_ml). C:
      * mien_evaluation_get_json().
      * @throws MienException MIEN_E_INVALID_HANDLE
      */

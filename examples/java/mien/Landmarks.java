@@ -176,4 +176,23 @@ public final class Landmarks extends NativeObject {
             return call.readText(dstAt, call.count(countAt));
         }
     }
+
+    /**
+     * The landmarks of a template and, beside them, those of its profile that its shape defines by itself:
+     * glabella, nasion, columella, sublabiale and pogonion, where they are not among the given ones. Every face
+     * in the template's topology has them at the same vertices. C: mien_landmarks_add_profile().
+     * @param templateMesh symmetric about its plane x = 0, +y up, +z forward (mien_model_mesh()).
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NOT_FOUND (a landmark that the
+     * search starts from), MIEN_E_MISMATCH (vertex), MIEN_E_INVALID_MESH (not symmetric, no midline),
+     * MIEN_E_NO_MEMORY
+     */
+    public Landmarks addProfile(Mesh templateMesh) {
+        try (Call call = new Call()) {
+            var landmarksAt = call.use(this);
+            var templateMeshAt = call.use(templateMesh);
+            var outAt = call.room(8);
+            call.check(Raw.GET.mien_landmarks_add_profile(Memory.address(landmarksAt), Memory.address(templateMeshAt), Memory.address(outAt), call.error()));
+            return call.keep(new Landmarks(call.pointer(outAt)));
+        }
+    }
 }

@@ -85,4 +85,18 @@ public final class Measurement extends NativeObject {
             return call.readText(dstAt, call.count(countAt));
         }
     }
+
+    /**
+     * The mirror plane of a comparison of left and right. C: mien_measurement_get_mirror_plane().
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NOT_FOUND (another
+     * measurement)
+     */
+    public MirrorPlane mirrorPlane() {
+        try (Call call = new Call()) {
+            var measurementAt = call.use(this);
+            var outAt = call.sized(104);
+            call.check(Raw.GET.mien_measurement_get_mirror_plane(Memory.address(measurementAt), Memory.address(outAt), call.error()));
+            return MirrorPlane.read(call, outAt, 0);
+        }
+    }
 }

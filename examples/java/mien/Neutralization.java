@@ -71,8 +71,24 @@ public final class Neutralization extends NativeObject {
     }
 
     /**
+     * How a treated zone is read, both ways: treatments of lips, brows and the corners of the mouth can look like
+     * expressions. C: mien_neutralization_get_reading().
+     * @param reading MIEN_READING_*. See Reading.
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (reading),
+     * MIEN_E_NOT_FOUND (nothing was treated)
+     */
+    public ZoneReading reading(int reading) {
+        try (Call call = new Call()) {
+            var neutralizationAt = call.use(this);
+            var outAt = call.sized(32);
+            call.check(Raw.GET.mien_neutralization_get_reading(Memory.address(neutralizationAt), reading, Memory.address(outAt), call.error()));
+            return ZoneReading.read(call, outAt, 0);
+        }
+    }
+
+    /**
      * The report as a JSON object: expression found, its probability and the others', displacement, residual,
-     * coordinates. C: mien_neutralization_get_json().
+     * coordinates; with options.treated both readings of the zone. C: mien_neutralization_get_json().
      * @throws MienException MIEN_E_INVALID_HANDLE
      */
     public String json() {

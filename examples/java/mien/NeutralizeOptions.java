@@ -11,13 +11,15 @@ public final class NeutralizeOptions implements Record_ {
     private double noiseMm2;
     private double decayMm;
     private Values weights;
+    private int[] treated;
+    private double treatedMarginMm;
 
     /** With the library's defaults. */
     public NeutralizeOptions() {
         try (Call call = new Call()) {
-            Memory at = call.room(104);
+            Memory at = call.room(128);
             int offset = 0;
-            Raw.GET.mien_neutralize_options_init(at.address, 104);
+            Raw.GET.mien_neutralize_options_init(at.address, 128);
             method = at.bytes.getInt(offset + 4);
             maxSweeps = at.bytes.getInt(offset + 8);
             uncertainty = at.bytes.getInt(offset + 12);
@@ -25,6 +27,7 @@ public final class NeutralizeOptions implements Record_ {
             toleranceMm = at.bytes.getDouble(offset + 24);
             noiseMm2 = at.bytes.getDouble(offset + 32);
             decayMm = at.bytes.getDouble(offset + 40);
+            treatedMarginMm = at.bytes.getDouble(offset + 120);
         }
     }
 
@@ -84,9 +87,26 @@ public final class NeutralizeOptions implements Record_ {
     }
     public Values weights() { return weights; }
 
+    /**
+     * treated_count vertices where the person may have been changed: no witness of expression or pose, so that
+     * filler in a lip stays on the face and is not taken for a rolled lip; null: none. Since 0.2
+     */
+    public NeutralizeOptions treated(int[] value) {
+        treated = value;
+        return this;
+    }
+    public int[] treated() { return treated; }
+
+    /** around them, no witness either; treatments spread; 0 to 100, default 10 */
+    public NeutralizeOptions treatedMarginMm(double value) {
+        treatedMarginMm = value;
+        return this;
+    }
+    public double treatedMarginMm() { return treatedMarginMm; }
+
     @Override
     public void fill(Call call, Memory at, int offset) {
-        Raw.GET.mien_neutralize_options_init(at.address + offset, 104);
+        Raw.GET.mien_neutralize_options_init(at.address + offset, 128);
         at.bytes.putInt(offset + 4, method);
         at.bytes.putInt(offset + 8, maxSweeps);
         at.bytes.putInt(offset + 12, uncertainty);
@@ -95,10 +115,13 @@ public final class NeutralizeOptions implements Record_ {
         at.bytes.putDouble(offset + 32, noiseMm2);
         at.bytes.putDouble(offset + 40, decayMm);
         call.matrix(at, offset + 48, weights, 1, "weights");
+        at.bytes.putDouble(offset + 120, treatedMarginMm);
+        at.bytes.putLong(offset + 104, Memory.address(call.array(treated)));
+        at.bytes.putLong(offset + 112, call.rows(treated, 1, "treated"));
     }
 
     Memory write(Call call, Progress progress, Cancel cancel) {
-        Memory at = call.room(104);
+        Memory at = call.room(128);
         fill(call, at, 0);
         at.bytes.putLong(80, call.progressFunction(progress));
         at.bytes.putLong(88, call.progressUser());

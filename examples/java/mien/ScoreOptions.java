@@ -15,13 +15,14 @@ public final class ScoreOptions implements Record_ {
     private int[] zoneVertices;
     private int[] stableVertices;
     private int focus;
+    private int features;
 
     /** With the library's defaults. */
     public ScoreOptions() {
         try (Call call = new Call()) {
-            Memory at = call.room(128);
+            Memory at = call.room(136);
             int offset = 0;
-            Raw.GET.mien_score_options_init(at.address, 128);
+            Raw.GET.mien_score_options_init(at.address, 136);
             method = at.bytes.getInt(offset + 4);
             numComponents = at.bytes.getInt(offset + 8);
             maxComponents = at.bytes.getInt(offset + 12);
@@ -32,6 +33,7 @@ public final class ScoreOptions implements Record_ {
             lowest = at.bytes.getDouble(offset + 48);
             highest = at.bytes.getDouble(offset + 56);
             focus = at.bytes.getInt(offset + 120);
+            features = at.bytes.getInt(offset + 128);
         }
     }
 
@@ -122,9 +124,16 @@ public final class ScoreOptions implements Record_ {
     }
     public int focus() { return focus; }
 
+    /** MIEN_SCORE_FEATURES_*; default displacement and curvature. Since 0.2 See ScoreFeatures. */
+    public ScoreOptions features(int value) {
+        features = value;
+        return this;
+    }
+    public int features() { return features; }
+
     @Override
     public void fill(Call call, Memory at, int offset) {
-        Raw.GET.mien_score_options_init(at.address + offset, 128);
+        Raw.GET.mien_score_options_init(at.address + offset, 136);
         at.bytes.putInt(offset + 4, method);
         at.bytes.putInt(offset + 8, numComponents);
         at.bytes.putInt(offset + 12, maxComponents);
@@ -135,6 +144,7 @@ public final class ScoreOptions implements Record_ {
         at.bytes.putDouble(offset + 48, lowest);
         at.bytes.putDouble(offset + 56, highest);
         at.bytes.putInt(offset + 120, focus);
+        at.bytes.putInt(offset + 128, features);
         at.bytes.putLong(offset + 64, Memory.address(call.array(zoneVertices)));
         at.bytes.putLong(offset + 72, call.rows(zoneVertices, 1, "zone_vertices"));
         at.bytes.putLong(offset + 80, Memory.address(call.array(stableVertices)));
@@ -142,7 +152,7 @@ public final class ScoreOptions implements Record_ {
     }
 
     Memory write(Call call, Progress progress, Cancel cancel) {
-        Memory at = call.room(128);
+        Memory at = call.room(136);
         fill(call, at, 0);
         at.bytes.putLong(96, call.progressFunction(progress));
         at.bytes.putLong(104, call.progressUser());

@@ -47,6 +47,421 @@ public final class Session extends NativeObject {
     }
 
     /**
+     * Lengths, lengths along the skin, angles, inclinations and proportions between the landmarks of a face: some
+     * hundred of the field's, always in the same order. Landmarks go by the field's names ("pronasale",
+     * "cheilion_left") or abbreviations ("prn", "ch_left"), or by those of the 68-point scheme that truly
+     * coincide with one of the field (jaw_08 is gnathion; nose_base_0 is no alare). A measurement whose landmarks
+     * are missing is NaN with a reason. C: mien_measure_anthropometry().
+     * @param face #V x 3, mm, with triangles.
+     * @param landmarks vertices of the face, or places on it in its frame (a measurement with a place has no
+     * deviation, and no length along the skin).
+     * @param options may be left out: no deviations, no norms.
+     * @param progress may be null; returns false to cancel
+     * @param cancel may be null; interrupting the thread cancels as well
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH
+     * (landmarks, deviations), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED
+     */
+    public Anthropometry measureAnthropometry(Mesh face, Landmarks landmarks, AnthropometryOptions options, Progress progress, Cancel cancel) {
+        try (Call call = new Call()) {
+            call.lock(this);
+            var sessionAt = call.use(this);
+            var faceAt = call.use(face);
+            var landmarksAt = call.use(landmarks);
+            var optionsAt = (options == null ? new AnthropometryOptions() : options).write(call, progress, cancel);
+            var outAt = call.room(8);
+            call.check(Raw.GET.mien_measure_anthropometry(Memory.address(sessionAt), Memory.address(faceAt), Memory.address(landmarksAt), Memory.address(optionsAt), Memory.address(outAt), call.error()));
+            return call.keep(new Anthropometry(call.pointer(outAt)));
+        }
+    }
+
+    /**
+     * Lengths, lengths along the skin, angles, inclinations and proportions between the landmarks of a face: some
+     * hundred of the field's, always in the same order. Landmarks go by the field's names ("pronasale",
+     * "cheilion_left") or abbreviations ("prn", "ch_left"), or by those of the 68-point scheme that truly
+     * coincide with one of the field (jaw_08 is gnathion; nose_base_0 is no alare). A measurement whose landmarks
+     * are missing is NaN with a reason. All else as by default.
+     */
+    public Anthropometry measureAnthropometry(Mesh face, Landmarks landmarks) {
+        return measureAnthropometry(face, landmarks, null, null, null);
+    }
+
+    /**
+     * Lengths, lengths along the skin, angles, inclinations and proportions between the landmarks of a face: some
+     * hundred of the field's, always in the same order. Landmarks go by the field's names ("pronasale",
+     * "cheilion_left") or abbreviations ("prn", "ch_left"), or by those of the 68-point scheme that truly
+     * coincide with one of the field (jaw_08 is gnathion; nose_base_0 is no alare). A measurement whose landmarks
+     * are missing is NaN with a reason. All else as by default.
+     */
+    public Anthropometry measureAnthropometry(Mesh face, Landmarks landmarks, AnthropometryOptions options) {
+        return measureAnthropometry(face, landmarks, options, null, null);
+    }
+
+    /**
+     * The volume between two faces in correspondence: signed, positive, negative and absolute, whole and per
+     * zone, exact where the faces cross inside a triangle pair. A zone's edge runs linearly through the ring of
+     * triangles it shares; disjoint zones and the rest add up to the whole. C: mien_measure_volume().
+     * @param before #V x 3, mm, with triangles counter-clockwise seen from outside.
+     * @param after same vertex count, in the frame of before; its triangles are not read.
+     * @param options may be left out: the whole face, no uncertainty.
+     * @param progress may be null; returns false to cancel
+     * @param cancel may be null; interrupting the thread cancels as well
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (no triangles),
+     * MIEN_E_MISMATCH (vertex counts, zones, deviations), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY,
+     * MIEN_E_CANCELLED
+     */
+    public Measurement measureVolume(Mesh before, Mesh after, MeasureOptions options, Progress progress, Cancel cancel) {
+        try (Call call = new Call()) {
+            call.lock(this);
+            var sessionAt = call.use(this);
+            var beforeAt = call.use(before);
+            var afterAt = call.use(after);
+            var optionsAt = (options == null ? new MeasureOptions() : options).write(call, progress, cancel);
+            var outAt = call.room(8);
+            call.check(Raw.GET.mien_measure_volume(Memory.address(sessionAt), Memory.address(beforeAt), Memory.address(afterAt), Memory.address(optionsAt), Memory.address(outAt), call.error()));
+            return call.keep(new Measurement(call.pointer(outAt)));
+        }
+    }
+
+    /**
+     * The volume between two faces in correspondence: signed, positive, negative and absolute, whole and per
+     * zone, exact where the faces cross inside a triangle pair. A zone's edge runs linearly through the ring of
+     * triangles it shares; disjoint zones and the rest add up to the whole. All else as by default.
+     */
+    public Measurement measureVolume(Mesh before, Mesh after) {
+        return measureVolume(before, after, null, null, null);
+    }
+
+    /**
+     * The volume between two faces in correspondence: signed, positive, negative and absolute, whole and per
+     * zone, exact where the faces cross inside a triangle pair. A zone's edge runs linearly through the ring of
+     * triangles it shares; disjoint zones and the rest add up to the whole. All else as by default.
+     */
+    public Measurement measureVolume(Mesh before, Mesh after, MeasureOptions options) {
+        return measureVolume(before, after, options, null, null);
+    }
+
+    /**
+     * Distances between two faces in correspondence, per vertex and per zone. C: mien_measure_distance().
+     * @param before #V x 3, mm.
+     * @param after same vertex count, in the frame of before.
+     * @param options may be left out; zones, progress and cancel are read.
+     * @param progress may be null; returns false to cancel
+     * @param cancel may be null; interrupting the thread cancels as well
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH,
+     * MIEN_E_NO_MEMORY, MIEN_E_CANCELLED
+     */
+    public Measurement measureDistance(Mesh before, Mesh after, MeasureOptions options, Progress progress, Cancel cancel) {
+        try (Call call = new Call()) {
+            call.lock(this);
+            var sessionAt = call.use(this);
+            var beforeAt = call.use(before);
+            var afterAt = call.use(after);
+            var optionsAt = (options == null ? new MeasureOptions() : options).write(call, progress, cancel);
+            var outAt = call.room(8);
+            call.check(Raw.GET.mien_measure_distance(Memory.address(sessionAt), Memory.address(beforeAt), Memory.address(afterAt), Memory.address(optionsAt), Memory.address(outAt), call.error()));
+            return call.keep(new Measurement(call.pointer(outAt)));
+        }
+    }
+
+    /** Distances between two faces in correspondence, per vertex and per zone. All else as by default. */
+    public Measurement measureDistance(Mesh before, Mesh after) {
+        return measureDistance(before, after, null, null, null);
+    }
+
+    /** Distances between two faces in correspondence, per vertex and per zone. All else as by default. */
+    public Measurement measureDistance(Mesh before, Mesh after, MeasureOptions options) {
+        return measureDistance(before, after, options, null, null);
+    }
+
+    /**
+     * Distances from the vertices of one surface to the closest place on another, in any topology; the Hausdorff
+     * distance takes both directions. C: mien_measure_surface_distance().
+     * @param before #V x 3, mm, with triangles.
+     * @param after a surface or a cloud of points, aligned with before.
+     * @param options may be left out; zones (of before), max_distance_mm, skip_borders, progress, cancel.
+     * @param progress may be null; returns false to cancel
+     * @param cancel may be null; interrupting the thread cancels as well
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH,
+     * MIEN_E_NO_MEMORY, MIEN_E_CANCELLED
+     */
+    public Measurement measureSurfaceDistance(Mesh before, Mesh after, MeasureOptions options, Progress progress, Cancel cancel) {
+        try (Call call = new Call()) {
+            call.lock(this);
+            var sessionAt = call.use(this);
+            var beforeAt = call.use(before);
+            var afterAt = call.use(after);
+            var optionsAt = (options == null ? new MeasureOptions() : options).write(call, progress, cancel);
+            var outAt = call.room(8);
+            call.check(Raw.GET.mien_measure_surface_distance(Memory.address(sessionAt), Memory.address(beforeAt), Memory.address(afterAt), Memory.address(optionsAt), Memory.address(outAt), call.error()));
+            return call.keep(new Measurement(call.pointer(outAt)));
+        }
+    }
+
+    /**
+     * Distances from the vertices of one surface to the closest place on another, in any topology; the Hausdorff
+     * distance takes both directions. All else as by default.
+     */
+    public Measurement measureSurfaceDistance(Mesh before, Mesh after) {
+        return measureSurfaceDistance(before, after, null, null, null);
+    }
+
+    /**
+     * Distances from the vertices of one surface to the closest place on another, in any topology; the Hausdorff
+     * distance takes both directions. All else as by default.
+     */
+    public Measurement measureSurfaceDistance(Mesh before, Mesh after, MeasureOptions options) {
+        return measureSurfaceDistance(before, after, options, null, null);
+    }
+
+    /**
+     * The volume that a mesh encloses, by the divergence theorem about its centroid. C:
+     * mien_measure_closed_volume().
+     * @param mesh manifold along its edges and consistently oriented.
+     * @param closeRims 1: each open rim is closed by a fan from the mean of its vertices; 0: an open mesh is an
+     * error.
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION
+     * (close_rims), MIEN_E_INVALID_MESH (open, not manifold or not oriented: the message counts the edges),
+     * MIEN_E_NO_MEMORY
+     */
+    public double measureClosedVolume(Mesh mesh, int closeRims) {
+        try (Call call = new Call()) {
+            call.lock(this);
+            var sessionAt = call.use(this);
+            var meshAt = call.use(mesh);
+            var volumeMlAt = call.room(8);
+            call.check(Raw.GET.mien_measure_closed_volume(Memory.address(sessionAt), Memory.address(meshAt), closeRims, Memory.address(volumeMlAt), call.error()));
+            return volumeMlAt.bytes.getDouble(0);
+        }
+    }
+
+    /**
+     * The area of a surface, or of a zone of it (a triangle's area is shared by its three vertices). C:
+     * mien_measure_area().
+     * @param mesh with triangles.
+     * @param zone may be left out: the whole surface.
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH
+     * (zone), MIEN_E_NO_MEMORY
+     */
+    public double measureArea(Mesh mesh, Zone zone) {
+        try (Call call = new Call()) {
+            call.lock(this);
+            var sessionAt = call.use(this);
+            var meshAt = call.use(mesh);
+            var zoneAt = call.record(zone, 24, false, "zone");
+            var areaMm2At = call.room(8);
+            call.check(Raw.GET.mien_measure_area(Memory.address(sessionAt), Memory.address(meshAt), Memory.address(zoneAt), Memory.address(areaMm2At), call.error()));
+            return areaMm2At.bytes.getDouble(0);
+        }
+    }
+
+    /**
+     * The area of a surface, or of a zone of it (a triangle's area is shared by its three vertices). All else as
+     * by default.
+     */
+    public double measureArea(Mesh mesh) {
+        return measureArea(mesh, null);
+    }
+
+    /**
+     * Curvatures of a surface, per vertex and per zone, by fits of a cubic around each vertex. C:
+     * mien_measure_curvature().
+     * @param mesh #V x 3, mm, with triangles counter-clockwise seen from outside.
+     * @param radiusMm &gt; 0; of the fits: what is smaller is smoothed away. 6 suits fitted faces.
+     * @param robust 1: a second fit leaves spikes and lashes out; 0: none.
+     * @param options may be left out; zones, progress and cancel are read.
+     * @param progress may be null; returns false to cancel
+     * @param cancel may be null; interrupting the thread cancels as well
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (robust),
+     * MIEN_E_INVALID_MESH, MIEN_E_MISMATCH (zones), MIEN_E_NO_MEMORY, MIEN_E_CANCELLED
+     */
+    public Measurement measureCurvature(Mesh mesh, double radiusMm, int robust, MeasureOptions options, Progress progress, Cancel cancel) {
+        try (Call call = new Call()) {
+            call.lock(this);
+            var sessionAt = call.use(this);
+            var meshAt = call.use(mesh);
+            var optionsAt = (options == null ? new MeasureOptions() : options).write(call, progress, cancel);
+            var outAt = call.room(8);
+            call.check(Raw.GET.mien_measure_curvature(Memory.address(sessionAt), Memory.address(meshAt), radiusMm, robust, Memory.address(optionsAt), Memory.address(outAt), call.error()));
+            return call.keep(new Measurement(call.pointer(outAt)));
+        }
+    }
+
+    /**
+     * Curvatures of a surface, per vertex and per zone, by fits of a cubic around each vertex. All else as by
+     * default.
+     */
+    public Measurement measureCurvature(Mesh mesh, double radiusMm, int robust) {
+        return measureCurvature(mesh, radiusMm, robust, null, null, null);
+    }
+
+    /**
+     * Curvatures of a surface, per vertex and per zone, by fits of a cubic around each vertex. All else as by
+     * default.
+     */
+    public Measurement measureCurvature(Mesh mesh, double radiusMm, int robust, MeasureOptions options) {
+        return measureCurvature(mesh, radiusMm, robust, options, null, null);
+    }
+
+    /**
+     * Straight lengths and lengths along the surface between pairs of vertices. C: mien_measure_lengths().
+     * @param mesh #V x 3, mm, with triangles.
+     * @param pairs pair_count x 2 vertex numbers.
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH
+     * (vertex), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY
+     */
+    public MeasureLengths measureLengths(Mesh mesh, int[] pairs) {
+        try (Call call = new Call()) {
+            call.required(pairs, "pairs");
+            call.lock(this);
+            var sessionAt = call.use(this);
+            var meshAt = call.use(mesh);
+            var pairCount = call.rows(pairs, 2, "pairs");
+            var pairsAt = call.array(pairs);
+            var straightMmAt = call.room(pairCount * 8);
+            var geodesicMmAt = call.room(pairCount * 8);
+            call.check(Raw.GET.mien_measure_lengths(Memory.address(sessionAt), Memory.address(meshAt), Memory.address(pairsAt), pairCount, Memory.address(straightMmAt), Memory.address(geodesicMmAt), call.error()));
+            return new MeasureLengths(call.readDoubles(straightMmAt, pairCount), call.readDoubles(geodesicMmAt, pairCount));
+        }
+    }
+
+    /**
+     * The volume between two surfaces that are not in correspondence, scan to scan: each vertex of before is
+     * carried onto after, then the swept volume is measured. Triangles without a partner do not count. C:
+     * mien_measure_scan_volume().
+     * @param before #V x 3, mm, with triangles.
+     * @param after another surface with triangles, aligned with before.
+     * @param carry MIEN_CARRY_*. See Carry.
+     * @param direction 3 numbers, any length but zero; may be left out unless carry is MIEN_CARRY_DIRECTION.
+     * @param options may be left out; zones (of before), max_distance_mm (0: 20), limit_of_detection_ml,
+     * progress, cancel. Deviations are not read.
+     * @param progress may be null; returns false to cancel
+     * @param cancel may be null; interrupting the thread cancels as well
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH,
+     * MIEN_E_NO_SOLUTION (nothing within reach), MIEN_E_NO_MEMORY, MIEN_E_CANCELLED
+     */
+    public MeasureScanVolume measureScanVolume(Mesh before, Mesh after, int carry, double[] direction, MeasureOptions options, Progress progress, Cancel cancel) {
+        try (Call call = new Call()) {
+            call.lock(this);
+            var sessionAt = call.use(this);
+            var beforeAt = call.use(before);
+            var afterAt = call.use(after);
+            call.agree("direction", call.rows(direction, 1, "direction"), 3);
+            var directionAt = call.array(direction);
+            var optionsAt = (options == null ? new MeasureOptions() : options).write(call, progress, cancel);
+            var coverageAt = call.room(8);
+            var outAt = call.room(8);
+            call.check(Raw.GET.mien_measure_scan_volume(Memory.address(sessionAt), Memory.address(beforeAt), Memory.address(afterAt), carry, Memory.address(directionAt), Memory.address(optionsAt), Memory.address(coverageAt), Memory.address(outAt), call.error()));
+            return new MeasureScanVolume(coverageAt.bytes.getDouble(0), call.keep(new Measurement(call.pointer(outAt))));
+        }
+    }
+
+    /**
+     * The volume between two surfaces that are not in correspondence, scan to scan: each vertex of before is
+     * carried onto after, then the swept volume is measured. Triangles without a partner do not count. All else
+     * as by default.
+     */
+    public MeasureScanVolume measureScanVolume(Mesh before, Mesh after, int carry) {
+        return measureScanVolume(before, after, carry, null, null, null, null);
+    }
+
+    /**
+     * The volume between two surfaces that are not in correspondence, scan to scan: each vertex of before is
+     * carried onto after, then the swept volume is measured. Triangles without a partner do not count. All else
+     * as by default.
+     */
+    public MeasureScanVolume measureScanVolume(Mesh before, Mesh after, int carry, double[] direction, MeasureOptions options) {
+        return measureScanVolume(before, after, carry, direction, options, null, null);
+    }
+
+    /**
+     * Moves one face rigidly onto another by a zone that has not changed (forehead, nose bridge), robustly: by
+     * correspondence first, then by closest points, because a fit slides along a scan more than it lifts off.
+     * Surfaces with other triangles (two scans) are brought together by closest points alone and must lie within
+     * 15 mm of each other there. The deviations feed alignment_rotation_sd_rad, alignment_translation_sd_mm and
+     * alignment_centre. C: mien_measure_align().
+     * @param moving #V x 3, mm, with triangles.
+     * @param target with triangles.
+     * @param stable may be left out: all vertices. Vertices of target.
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH,
+     * MIEN_E_NO_SOLUTION (zone too small or straight), MIEN_E_NO_MEMORY
+     */
+    public MeasureAlign measureAlign(Mesh moving, Mesh target, Zone stable) {
+        try (Call call = new Call()) {
+            call.lock(this);
+            var sessionAt = call.use(this);
+            var movingAt = call.use(moving);
+            var targetAt = call.use(target);
+            var stableAt = call.record(stable, 24, false, "stable");
+            var infoAt = call.sized(192);
+            var outAt = call.room(8);
+            call.check(Raw.GET.mien_measure_align(Memory.address(sessionAt), Memory.address(movingAt), Memory.address(targetAt), Memory.address(stableAt), Memory.address(infoAt), Memory.address(outAt), call.error()));
+            return new MeasureAlign(ZoneAlignment.read(call, infoAt, 0), call.keep(new Mesh(call.pointer(outAt))));
+        }
+    }
+
+    /**
+     * Moves one face rigidly onto another by a zone that has not changed (forehead, nose bridge), robustly: by
+     * correspondence first, then by closest points, because a fit slides along a scan more than it lifts off.
+     * Surfaces with other triangles (two scans) are brought together by closest points alone and must lie within
+     * 15 mm of each other there. The deviations feed alignment_rotation_sd_rad, alignment_translation_sd_mm and
+     * alignment_centre. All else as by default.
+     */
+    public MeasureAlign measureAlign(Mesh moving, Mesh target) {
+        return measureAlign(moving, target, null);
+    }
+
+    /**
+     * Compares the left side of a face with the reflection of its right side: volume and distance, signed
+     * (positive: the left side lies farther out), whole and per zone, with intervals. Zones of both sides
+     * ("cheek_left", "cheek_right") are one comparison ("cheek"); of a zone in the middle the left half is
+     * compared with the right half. The result holds volumes, distances, and fields of all vertices (a right
+     * vertex against the reflected left side). C: mien_measure_asymmetry().
+     * @param face #V x 3, mm, in the template's topology.
+     * @param templateMesh the template, symmetric about its plane x = 0, +x to the left (mien_model_mesh()).
+     * @param options may be left out: the whole side, no interval.
+     * @param progress may be null; returns false to cancel
+     * @param cancel may be null; interrupting the thread cancels as well
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (plane),
+     * MIEN_E_INVALID_MESH (no triangles; the template is not symmetric), MIEN_E_MISMATCH (vertex counts, zones,
+     * landmarks, deviations), MIEN_E_NO_SOLUTION (no plane is determined), MIEN_E_MEMORY_BUDGET,
+     * MIEN_E_NO_MEMORY, MIEN_E_CANCELLED
+     */
+    public Measurement measureAsymmetry(Mesh face, Mesh templateMesh, AsymmetryOptions options, Progress progress, Cancel cancel) {
+        try (Call call = new Call()) {
+            call.lock(this);
+            var sessionAt = call.use(this);
+            var faceAt = call.use(face);
+            var templateMeshAt = call.use(templateMesh);
+            var optionsAt = (options == null ? new AsymmetryOptions() : options).write(call, progress, cancel);
+            var outAt = call.room(8);
+            call.check(Raw.GET.mien_measure_asymmetry(Memory.address(sessionAt), Memory.address(faceAt), Memory.address(templateMeshAt), Memory.address(optionsAt), Memory.address(outAt), call.error()));
+            return call.keep(new Measurement(call.pointer(outAt)));
+        }
+    }
+
+    /**
+     * Compares the left side of a face with the reflection of its right side: volume and distance, signed
+     * (positive: the left side lies farther out), whole and per zone, with intervals. Zones of both sides
+     * ("cheek_left", "cheek_right") are one comparison ("cheek"); of a zone in the middle the left half is
+     * compared with the right half. The result holds volumes, distances, and fields of all vertices (a right
+     * vertex against the reflected left side). All else as by default.
+     */
+    public Measurement measureAsymmetry(Mesh face, Mesh templateMesh) {
+        return measureAsymmetry(face, templateMesh, null, null, null);
+    }
+
+    /**
+     * Compares the left side of a face with the reflection of its right side: volume and distance, signed
+     * (positive: the left side lies farther out), whole and per zone, with intervals. Zones of both sides
+     * ("cheek_left", "cheek_right") are one comparison ("cheek"); of a zone in the middle the left half is
+     * compared with the right half. The result holds volumes, distances, and fields of all vertices (a right
+     * vertex against the reflected left side). All else as by default.
+     */
+    public Measurement measureAsymmetry(Mesh face, Mesh templateMesh, AsymmetryOptions options) {
+        return measureAsymmetry(face, templateMesh, options, null, null);
+    }
+
+    /**
      * Splits a face at mode k: the mean moved by its low, and by its high frequencies. low + high - mean is the
      * face. C: mien_spectral_split().
      * @param face #V vertices, mm, aligned with the mean shape.
@@ -455,320 +870,6 @@ public final class Session extends NativeObject {
     /** Neutralizes every face of a dataset whose subject has a neutral face, and compares. All else as by default. */
     public Evaluation evaluateNeutralization(ExpressionModel model, String datasetPath, EvaluateOptions options) {
         return evaluateNeutralization(model, datasetPath, options, null, null);
-    }
-
-    /**
-     * The volume between two faces in correspondence: signed, positive, negative and absolute, whole and per
-     * zone, exact where the faces cross inside a triangle pair. A zone's edge runs linearly through the ring of
-     * triangles it shares; disjoint zones and the rest add up to the whole. C: mien_measure_volume().
-     * @param before #V x 3, mm, with triangles counter-clockwise seen from outside.
-     * @param after same vertex count, in the frame of before; its triangles are not read.
-     * @param options may be left out: the whole face, no uncertainty.
-     * @param progress may be null; returns false to cancel
-     * @param cancel may be null; interrupting the thread cancels as well
-     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (no triangles),
-     * MIEN_E_MISMATCH (vertex counts, zones, deviations), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY,
-     * MIEN_E_CANCELLED
-     */
-    public Measurement measureVolume(Mesh before, Mesh after, MeasureOptions options, Progress progress, Cancel cancel) {
-        try (Call call = new Call()) {
-            call.lock(this);
-            var sessionAt = call.use(this);
-            var beforeAt = call.use(before);
-            var afterAt = call.use(after);
-            var optionsAt = (options == null ? new MeasureOptions() : options).write(call, progress, cancel);
-            var outAt = call.room(8);
-            call.check(Raw.GET.mien_measure_volume(Memory.address(sessionAt), Memory.address(beforeAt), Memory.address(afterAt), Memory.address(optionsAt), Memory.address(outAt), call.error()));
-            return call.keep(new Measurement(call.pointer(outAt)));
-        }
-    }
-
-    /**
-     * The volume between two faces in correspondence: signed, positive, negative and absolute, whole and per
-     * zone, exact where the faces cross inside a triangle pair. A zone's edge runs linearly through the ring of
-     * triangles it shares; disjoint zones and the rest add up to the whole. All else as by default.
-     */
-    public Measurement measureVolume(Mesh before, Mesh after) {
-        return measureVolume(before, after, null, null, null);
-    }
-
-    /**
-     * The volume between two faces in correspondence: signed, positive, negative and absolute, whole and per
-     * zone, exact where the faces cross inside a triangle pair. A zone's edge runs linearly through the ring of
-     * triangles it shares; disjoint zones and the rest add up to the whole. All else as by default.
-     */
-    public Measurement measureVolume(Mesh before, Mesh after, MeasureOptions options) {
-        return measureVolume(before, after, options, null, null);
-    }
-
-    /**
-     * Distances between two faces in correspondence, per vertex and per zone. C: mien_measure_distance().
-     * @param before #V x 3, mm.
-     * @param after same vertex count, in the frame of before.
-     * @param options may be left out; zones, progress and cancel are read.
-     * @param progress may be null; returns false to cancel
-     * @param cancel may be null; interrupting the thread cancels as well
-     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH,
-     * MIEN_E_NO_MEMORY, MIEN_E_CANCELLED
-     */
-    public Measurement measureDistance(Mesh before, Mesh after, MeasureOptions options, Progress progress, Cancel cancel) {
-        try (Call call = new Call()) {
-            call.lock(this);
-            var sessionAt = call.use(this);
-            var beforeAt = call.use(before);
-            var afterAt = call.use(after);
-            var optionsAt = (options == null ? new MeasureOptions() : options).write(call, progress, cancel);
-            var outAt = call.room(8);
-            call.check(Raw.GET.mien_measure_distance(Memory.address(sessionAt), Memory.address(beforeAt), Memory.address(afterAt), Memory.address(optionsAt), Memory.address(outAt), call.error()));
-            return call.keep(new Measurement(call.pointer(outAt)));
-        }
-    }
-
-    /** Distances between two faces in correspondence, per vertex and per zone. All else as by default. */
-    public Measurement measureDistance(Mesh before, Mesh after) {
-        return measureDistance(before, after, null, null, null);
-    }
-
-    /** Distances between two faces in correspondence, per vertex and per zone. All else as by default. */
-    public Measurement measureDistance(Mesh before, Mesh after, MeasureOptions options) {
-        return measureDistance(before, after, options, null, null);
-    }
-
-    /**
-     * Distances from the vertices of one surface to the closest place on another, in any topology; the Hausdorff
-     * distance takes both directions. C: mien_measure_surface_distance().
-     * @param before #V x 3, mm, with triangles.
-     * @param after a surface or a cloud of points, aligned with before.
-     * @param options may be left out; zones (of before), max_distance_mm, skip_borders, progress, cancel.
-     * @param progress may be null; returns false to cancel
-     * @param cancel may be null; interrupting the thread cancels as well
-     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH,
-     * MIEN_E_NO_MEMORY, MIEN_E_CANCELLED
-     */
-    public Measurement measureSurfaceDistance(Mesh before, Mesh after, MeasureOptions options, Progress progress, Cancel cancel) {
-        try (Call call = new Call()) {
-            call.lock(this);
-            var sessionAt = call.use(this);
-            var beforeAt = call.use(before);
-            var afterAt = call.use(after);
-            var optionsAt = (options == null ? new MeasureOptions() : options).write(call, progress, cancel);
-            var outAt = call.room(8);
-            call.check(Raw.GET.mien_measure_surface_distance(Memory.address(sessionAt), Memory.address(beforeAt), Memory.address(afterAt), Memory.address(optionsAt), Memory.address(outAt), call.error()));
-            return call.keep(new Measurement(call.pointer(outAt)));
-        }
-    }
-
-    /**
-     * Distances from the vertices of one surface to the closest place on another, in any topology; the Hausdorff
-     * distance takes both directions. All else as by default.
-     */
-    public Measurement measureSurfaceDistance(Mesh before, Mesh after) {
-        return measureSurfaceDistance(before, after, null, null, null);
-    }
-
-    /**
-     * Distances from the vertices of one surface to the closest place on another, in any topology; the Hausdorff
-     * distance takes both directions. All else as by default.
-     */
-    public Measurement measureSurfaceDistance(Mesh before, Mesh after, MeasureOptions options) {
-        return measureSurfaceDistance(before, after, options, null, null);
-    }
-
-    /**
-     * The volume that a mesh encloses, by the divergence theorem about its centroid. C:
-     * mien_measure_closed_volume().
-     * @param mesh manifold along its edges and consistently oriented.
-     * @param closeRims 1: each open rim is closed by a fan from the mean of its vertices; 0: an open mesh is an
-     * error.
-     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION
-     * (close_rims), MIEN_E_INVALID_MESH (open, not manifold or not oriented: the message counts the edges),
-     * MIEN_E_NO_MEMORY
-     */
-    public double measureClosedVolume(Mesh mesh, int closeRims) {
-        try (Call call = new Call()) {
-            call.lock(this);
-            var sessionAt = call.use(this);
-            var meshAt = call.use(mesh);
-            var volumeMlAt = call.room(8);
-            call.check(Raw.GET.mien_measure_closed_volume(Memory.address(sessionAt), Memory.address(meshAt), closeRims, Memory.address(volumeMlAt), call.error()));
-            return volumeMlAt.bytes.getDouble(0);
-        }
-    }
-
-    /**
-     * The area of a surface, or of a zone of it (a triangle's area is shared by its three vertices). C:
-     * mien_measure_area().
-     * @param mesh with triangles.
-     * @param zone may be left out: the whole surface.
-     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH
-     * (zone), MIEN_E_NO_MEMORY
-     */
-    public double measureArea(Mesh mesh, Zone zone) {
-        try (Call call = new Call()) {
-            call.lock(this);
-            var sessionAt = call.use(this);
-            var meshAt = call.use(mesh);
-            var zoneAt = call.record(zone, 24, false, "zone");
-            var areaMm2At = call.room(8);
-            call.check(Raw.GET.mien_measure_area(Memory.address(sessionAt), Memory.address(meshAt), Memory.address(zoneAt), Memory.address(areaMm2At), call.error()));
-            return areaMm2At.bytes.getDouble(0);
-        }
-    }
-
-    /**
-     * The area of a surface, or of a zone of it (a triangle's area is shared by its three vertices). All else as
-     * by default.
-     */
-    public double measureArea(Mesh mesh) {
-        return measureArea(mesh, null);
-    }
-
-    /**
-     * Curvatures of a surface, per vertex and per zone, by fits of a cubic around each vertex. C:
-     * mien_measure_curvature().
-     * @param mesh #V x 3, mm, with triangles counter-clockwise seen from outside.
-     * @param radiusMm &gt; 0; of the fits: what is smaller is smoothed away. 6 suits fitted faces.
-     * @param robust 1: a second fit leaves spikes and lashes out; 0: none.
-     * @param options may be left out; zones, progress and cancel are read.
-     * @param progress may be null; returns false to cancel
-     * @param cancel may be null; interrupting the thread cancels as well
-     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (robust),
-     * MIEN_E_INVALID_MESH, MIEN_E_MISMATCH (zones), MIEN_E_NO_MEMORY, MIEN_E_CANCELLED
-     */
-    public Measurement measureCurvature(Mesh mesh, double radiusMm, int robust, MeasureOptions options, Progress progress, Cancel cancel) {
-        try (Call call = new Call()) {
-            call.lock(this);
-            var sessionAt = call.use(this);
-            var meshAt = call.use(mesh);
-            var optionsAt = (options == null ? new MeasureOptions() : options).write(call, progress, cancel);
-            var outAt = call.room(8);
-            call.check(Raw.GET.mien_measure_curvature(Memory.address(sessionAt), Memory.address(meshAt), radiusMm, robust, Memory.address(optionsAt), Memory.address(outAt), call.error()));
-            return call.keep(new Measurement(call.pointer(outAt)));
-        }
-    }
-
-    /**
-     * Curvatures of a surface, per vertex and per zone, by fits of a cubic around each vertex. All else as by
-     * default.
-     */
-    public Measurement measureCurvature(Mesh mesh, double radiusMm, int robust) {
-        return measureCurvature(mesh, radiusMm, robust, null, null, null);
-    }
-
-    /**
-     * Curvatures of a surface, per vertex and per zone, by fits of a cubic around each vertex. All else as by
-     * default.
-     */
-    public Measurement measureCurvature(Mesh mesh, double radiusMm, int robust, MeasureOptions options) {
-        return measureCurvature(mesh, radiusMm, robust, options, null, null);
-    }
-
-    /**
-     * Straight lengths and lengths along the surface between pairs of vertices. C: mien_measure_lengths().
-     * @param mesh #V x 3, mm, with triangles.
-     * @param pairs pair_count x 2 vertex numbers.
-     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH
-     * (vertex), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY
-     */
-    public MeasureLengths measureLengths(Mesh mesh, int[] pairs) {
-        try (Call call = new Call()) {
-            call.required(pairs, "pairs");
-            call.lock(this);
-            var sessionAt = call.use(this);
-            var meshAt = call.use(mesh);
-            var pairCount = call.rows(pairs, 2, "pairs");
-            var pairsAt = call.array(pairs);
-            var straightMmAt = call.room(pairCount * 8);
-            var geodesicMmAt = call.room(pairCount * 8);
-            call.check(Raw.GET.mien_measure_lengths(Memory.address(sessionAt), Memory.address(meshAt), Memory.address(pairsAt), pairCount, Memory.address(straightMmAt), Memory.address(geodesicMmAt), call.error()));
-            return new MeasureLengths(call.readDoubles(straightMmAt, pairCount), call.readDoubles(geodesicMmAt, pairCount));
-        }
-    }
-
-    /**
-     * The volume between two surfaces that are not in correspondence, scan to scan: each vertex of before is
-     * carried onto after, then the swept volume is measured. Triangles without a partner do not count. C:
-     * mien_measure_scan_volume().
-     * @param before #V x 3, mm, with triangles.
-     * @param after another surface with triangles, aligned with before.
-     * @param carry MIEN_CARRY_*. See Carry.
-     * @param direction 3 numbers, any length but zero; may be left out unless carry is MIEN_CARRY_DIRECTION.
-     * @param options may be left out; zones (of before), max_distance_mm (0: 20), limit_of_detection_ml,
-     * progress, cancel. Deviations are not read.
-     * @param progress may be null; returns false to cancel
-     * @param cancel may be null; interrupting the thread cancels as well
-     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH,
-     * MIEN_E_NO_SOLUTION (nothing within reach), MIEN_E_NO_MEMORY, MIEN_E_CANCELLED
-     */
-    public MeasureScanVolume measureScanVolume(Mesh before, Mesh after, int carry, double[] direction, MeasureOptions options, Progress progress, Cancel cancel) {
-        try (Call call = new Call()) {
-            call.lock(this);
-            var sessionAt = call.use(this);
-            var beforeAt = call.use(before);
-            var afterAt = call.use(after);
-            call.agree("direction", call.rows(direction, 1, "direction"), 3);
-            var directionAt = call.array(direction);
-            var optionsAt = (options == null ? new MeasureOptions() : options).write(call, progress, cancel);
-            var coverageAt = call.room(8);
-            var outAt = call.room(8);
-            call.check(Raw.GET.mien_measure_scan_volume(Memory.address(sessionAt), Memory.address(beforeAt), Memory.address(afterAt), carry, Memory.address(directionAt), Memory.address(optionsAt), Memory.address(coverageAt), Memory.address(outAt), call.error()));
-            return new MeasureScanVolume(coverageAt.bytes.getDouble(0), call.keep(new Measurement(call.pointer(outAt))));
-        }
-    }
-
-    /**
-     * The volume between two surfaces that are not in correspondence, scan to scan: each vertex of before is
-     * carried onto after, then the swept volume is measured. Triangles without a partner do not count. All else
-     * as by default.
-     */
-    public MeasureScanVolume measureScanVolume(Mesh before, Mesh after, int carry) {
-        return measureScanVolume(before, after, carry, null, null, null, null);
-    }
-
-    /**
-     * The volume between two surfaces that are not in correspondence, scan to scan: each vertex of before is
-     * carried onto after, then the swept volume is measured. Triangles without a partner do not count. All else
-     * as by default.
-     */
-    public MeasureScanVolume measureScanVolume(Mesh before, Mesh after, int carry, double[] direction, MeasureOptions options) {
-        return measureScanVolume(before, after, carry, direction, options, null, null);
-    }
-
-    /**
-     * Moves one face rigidly onto another by a zone that has not changed (forehead, nose bridge), robustly: by
-     * correspondence first, then by closest points, because a fit slides along a scan more than it lifts off.
-     * Surfaces with other triangles (two scans) are brought together by closest points alone and must lie within
-     * 15 mm of each other there. The deviations feed alignment_rotation_sd_rad, alignment_translation_sd_mm and
-     * alignment_centre. C: mien_measure_align().
-     * @param moving #V x 3, mm, with triangles.
-     * @param target with triangles.
-     * @param stable may be left out: all vertices. Vertices of target.
-     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH,
-     * MIEN_E_NO_SOLUTION (zone too small or straight), MIEN_E_NO_MEMORY
-     */
-    public MeasureAlign measureAlign(Mesh moving, Mesh target, Zone stable) {
-        try (Call call = new Call()) {
-            call.lock(this);
-            var sessionAt = call.use(this);
-            var movingAt = call.use(moving);
-            var targetAt = call.use(target);
-            var stableAt = call.record(stable, 24, false, "stable");
-            var infoAt = call.sized(192);
-            var outAt = call.room(8);
-            call.check(Raw.GET.mien_measure_align(Memory.address(sessionAt), Memory.address(movingAt), Memory.address(targetAt), Memory.address(stableAt), Memory.address(infoAt), Memory.address(outAt), call.error()));
-            return new MeasureAlign(ZoneAlignment.read(call, infoAt, 0), call.keep(new Mesh(call.pointer(outAt))));
-        }
-    }
-
-    /**
-     * Moves one face rigidly onto another by a zone that has not changed (forehead, nose bridge), robustly: by
-     * correspondence first, then by closest points, because a fit slides along a scan more than it lifts off.
-     * Surfaces with other triangles (two scans) are brought together by closest points alone and must lie within
-     * 15 mm of each other there. The deviations feed alignment_rotation_sd_rad, alignment_translation_sd_mm and
-     * alignment_centre. All else as by default.
-     */
-    public MeasureAlign measureAlign(Mesh moving, Mesh target) {
-        return measureAlign(moving, target, null);
     }
 
     /**

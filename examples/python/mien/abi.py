@@ -87,40 +87,6 @@ class MeshArrays(ctypes.Structure):
     ]
 
 
-class SpectralBasisOptions(ctypes.Structure):
-    _fields_ = [
-        ("struct_size", ctypes.c_uint32),
-        ("mode_count", ctypes.c_uint32),
-        ("mass", ctypes.c_int32),
-        ("cotangents", ctypes.c_int32),
-        ("progress", ProgressFn),
-        ("progress_user", ctypes.c_void_p),
-        ("cancel", ctypes.c_void_p),
-    ]
-
-
-class BlendshapeOptions(ctypes.Structure):
-    _fields_ = [
-        ("struct_size", ctypes.c_uint32),
-        ("reserved", ctypes.c_uint32),
-        ("ridge", ctypes.c_double),
-        ("progress", ProgressFn),
-        ("progress_user", ctypes.c_void_p),
-        ("cancel", ctypes.c_void_p),
-    ]
-
-
-class BandChoice(ctypes.Structure):
-    _fields_ = [
-        ("k", ctypes.c_uint64),
-        ("l1_mm", ctypes.c_double),
-        ("dame", ctypes.c_double),
-        ("fmpd", ctypes.c_double),
-        ("on_front", ctypes.c_int32),
-        ("chosen", ctypes.c_int32),
-    ]
-
-
 class Kernel(ctypes.Structure):
     _fields_ = [
         ("kind", ctypes.c_int32),
@@ -210,6 +176,165 @@ class ScanLandmark(ctypes.Structure):
     ]
 
 
+class AnthropometryOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("reserved", ctypes.c_uint32),
+        ("place_sd", ArrayView),
+        ("normal_sd", ArrayView),
+        ("slide_correlation_mm", ctypes.c_double),
+        ("normal_correlation_mm", ctypes.c_double),
+        ("norms", ctypes.c_void_p),
+        ("progress", ProgressFn),
+        ("progress_user", ctypes.c_void_p),
+        ("cancel", ctypes.c_void_p),
+    ]
+
+
+class AnthropometricValue(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("kind", ctypes.c_int32),
+        ("value", ctypes.c_double),
+        ("sd", ctypes.c_double),
+        ("z", ctypes.c_double),
+        ("z_sd", ctypes.c_double),
+        ("norm_mean", ctypes.c_double),
+        ("norm_sd", ctypes.c_double),
+        ("norm_people", ctypes.c_uint64),
+    ]
+
+
+class MeasureOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("skip_borders", ctypes.c_int32),
+        ("zones", ctypes.c_void_p),
+        ("zone_count", ctypes.c_uint64),
+        ("before_sd", ArrayView),
+        ("after_sd", ArrayView),
+        ("correlation_length_mm", ctypes.c_double),
+        ("alignment_rotation_sd_rad", ctypes.c_double),
+        ("alignment_translation_sd_mm", ctypes.c_double),
+        ("alignment_centre", ctypes.c_double * 3),
+        ("common_bias_mm", ctypes.c_double),
+        ("limit_of_detection_ml", ctypes.c_double),
+        ("max_distance_mm", ctypes.c_double),
+        ("progress", ProgressFn),
+        ("progress_user", ctypes.c_void_p),
+        ("cancel", ctypes.c_void_p),
+    ]
+
+
+class ZoneVolume(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("detected", ctypes.c_int32),
+        ("signed_ml", ctypes.c_double),
+        ("positive_ml", ctypes.c_double),
+        ("negative_ml", ctypes.c_double),
+        ("absolute_ml", ctypes.c_double),
+        ("sd_ml", ctypes.c_double),
+        ("low95_ml", ctypes.c_double),
+        ("high95_ml", ctypes.c_double),
+        ("area_before_mm2", ctypes.c_double),
+        ("area_after_mm2", ctypes.c_double),
+    ]
+
+
+class ZoneDistance(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("reserved", ctypes.c_uint32),
+        ("mean_signed_mm", ctypes.c_double),
+        ("sd_signed_mm", ctypes.c_double),
+        ("mean_absolute_mm", ctypes.c_double),
+        ("rms_mm", ctypes.c_double),
+        ("mean_length_mm", ctypes.c_double),
+        ("median_length_mm", ctypes.c_double),
+        ("p95_length_mm", ctypes.c_double),
+        ("max_length_mm", ctypes.c_double),
+        ("vertex_count", ctypes.c_uint64),
+    ]
+
+
+class ZoneAlignment(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("reserved", ctypes.c_uint32),
+        ("pairs", ctypes.c_uint64),
+        ("rms_mm", ctypes.c_double),
+        ("rotation_sd_rad", ctypes.c_double),
+        ("translation_sd_mm", ctypes.c_double),
+        ("centre", ctypes.c_double * 3),
+        ("matrix", ctypes.c_double * 16),
+    ]
+
+
+class AsymmetryOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("plane", ctypes.c_int32),
+        ("zones", ctypes.c_void_p),
+        ("zone_count", ctypes.c_uint64),
+        ("landmarks", ctypes.c_void_p),
+        ("normal_sd", ArrayView),
+        ("correlation_length_mm", ctypes.c_double),
+        ("progress", ProgressFn),
+        ("progress_user", ctypes.c_void_p),
+        ("cancel", ctypes.c_void_p),
+    ]
+
+
+class MirrorPlane(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("by", ctypes.c_int32),
+        ("pairs", ctypes.c_uint64),
+        ("normal", ctypes.c_double * 3),
+        ("centre", ctypes.c_double * 3),
+        ("rms_mm", ctypes.c_double),
+        ("tilt_sd_rad", ctypes.c_double),
+        ("offset_sd_mm", ctypes.c_double),
+        ("between_rad", ctypes.c_double),
+        ("apart_mm", ctypes.c_double),
+    ]
+
+
+class SpectralBasisOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("mode_count", ctypes.c_uint32),
+        ("mass", ctypes.c_int32),
+        ("cotangents", ctypes.c_int32),
+        ("progress", ProgressFn),
+        ("progress_user", ctypes.c_void_p),
+        ("cancel", ctypes.c_void_p),
+    ]
+
+
+class BlendshapeOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("reserved", ctypes.c_uint32),
+        ("ridge", ctypes.c_double),
+        ("progress", ProgressFn),
+        ("progress_user", ctypes.c_void_p),
+        ("cancel", ctypes.c_void_p),
+    ]
+
+
+class BandChoice(ctypes.Structure):
+    _fields_ = [
+        ("k", ctypes.c_uint64),
+        ("l1_mm", ctypes.c_double),
+        ("dame", ctypes.c_double),
+        ("fmpd", ctypes.c_double),
+        ("on_front", ctypes.c_int32),
+        ("chosen", ctypes.c_int32),
+    ]
+
+
 class RegisterOptions(ctypes.Structure):
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
@@ -287,6 +412,19 @@ class NeutralizeOptions(ctypes.Structure):
         ("progress", ProgressFn),
         ("progress_user", ctypes.c_void_p),
         ("cancel", ctypes.c_void_p),
+        ("treated", ctypes.c_void_p),
+        ("treated_count", ctypes.c_uint64),
+        ("treated_margin_mm", ctypes.c_double),
+    ]
+
+
+class ZoneReading(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("differ", ctypes.c_int32),
+        ("probability", ctypes.c_double),
+        ("removed_mm", ctypes.c_double),
+        ("removed_ml", ctypes.c_double),
     ]
 
 
@@ -306,72 +444,8 @@ class EvaluateOptions(ctypes.Structure):
         ("progress", ProgressFn),
         ("progress_user", ctypes.c_void_p),
         ("cancel", ctypes.c_void_p),
-    ]
-
-
-class MeasureOptions(ctypes.Structure):
-    _fields_ = [
-        ("struct_size", ctypes.c_uint32),
-        ("skip_borders", ctypes.c_int32),
-        ("zones", ctypes.c_void_p),
-        ("zone_count", ctypes.c_uint64),
-        ("before_sd", ArrayView),
-        ("after_sd", ArrayView),
-        ("correlation_length_mm", ctypes.c_double),
-        ("alignment_rotation_sd_rad", ctypes.c_double),
-        ("alignment_translation_sd_mm", ctypes.c_double),
-        ("alignment_centre", ctypes.c_double * 3),
-        ("common_bias_mm", ctypes.c_double),
-        ("limit_of_detection_ml", ctypes.c_double),
-        ("max_distance_mm", ctypes.c_double),
-        ("progress", ProgressFn),
-        ("progress_user", ctypes.c_void_p),
-        ("cancel", ctypes.c_void_p),
-    ]
-
-
-class ZoneVolume(ctypes.Structure):
-    _fields_ = [
-        ("struct_size", ctypes.c_uint32),
-        ("detected", ctypes.c_int32),
-        ("signed_ml", ctypes.c_double),
-        ("positive_ml", ctypes.c_double),
-        ("negative_ml", ctypes.c_double),
-        ("absolute_ml", ctypes.c_double),
-        ("sd_ml", ctypes.c_double),
-        ("low95_ml", ctypes.c_double),
-        ("high95_ml", ctypes.c_double),
-        ("area_before_mm2", ctypes.c_double),
-        ("area_after_mm2", ctypes.c_double),
-    ]
-
-
-class ZoneDistance(ctypes.Structure):
-    _fields_ = [
-        ("struct_size", ctypes.c_uint32),
-        ("reserved", ctypes.c_uint32),
-        ("mean_signed_mm", ctypes.c_double),
-        ("sd_signed_mm", ctypes.c_double),
-        ("mean_absolute_mm", ctypes.c_double),
-        ("rms_mm", ctypes.c_double),
-        ("mean_length_mm", ctypes.c_double),
-        ("median_length_mm", ctypes.c_double),
-        ("p95_length_mm", ctypes.c_double),
-        ("max_length_mm", ctypes.c_double),
-        ("vertex_count", ctypes.c_uint64),
-    ]
-
-
-class ZoneAlignment(ctypes.Structure):
-    _fields_ = [
-        ("struct_size", ctypes.c_uint32),
-        ("reserved", ctypes.c_uint32),
-        ("pairs", ctypes.c_uint64),
-        ("rms_mm", ctypes.c_double),
-        ("rotation_sd_rad", ctypes.c_double),
-        ("translation_sd_mm", ctypes.c_double),
-        ("centre", ctypes.c_double * 3),
-        ("matrix", ctypes.c_double * 16),
+        ("volume_zones", ctypes.c_void_p),
+        ("volume_zone_count", ctypes.c_uint64),
     ]
 
 
@@ -429,6 +503,8 @@ class ScoreOptions(ctypes.Structure):
         ("cancel", ctypes.c_void_p),
         ("focus", ctypes.c_uint32),
         ("reserved2", ctypes.c_uint32),
+        ("features", ctypes.c_int32),
+        ("reserved3", ctypes.c_uint32),
     ]
 
 
@@ -628,31 +704,6 @@ STRUCTS = {
         ("images", "structs", "mien_image", ('image_count',), ""),
         ("image_count", "count", "uint64_t", (), ""),
     ),
-    "mien_spectral_basis_options": (
-        ("struct_size", "struct_size", "uint32_t", (), ""),
-        ("mode_count", "scalar", "uint32_t", (), ""),
-        ("mass", "scalar", "int32_t", (), "MASS"),
-        ("cotangents", "scalar", "int32_t", (), "COTANGENTS"),
-        ("progress", "callback", "mien_progress_fn", (), ""),
-        ("progress_user", "user", "void", (), ""),
-        ("cancel", "handle", "mien_cancel", (), ""),
-    ),
-    "mien_blendshape_options": (
-        ("struct_size", "struct_size", "uint32_t", (), ""),
-        ("reserved", "reserved", "uint32_t", (), ""),
-        ("ridge", "scalar", "double", (), ""),
-        ("progress", "callback", "mien_progress_fn", (), ""),
-        ("progress_user", "user", "void", (), ""),
-        ("cancel", "handle", "mien_cancel", (), ""),
-    ),
-    "mien_band_choice": (
-        ("k", "scalar", "uint64_t", (), ""),
-        ("l1_mm", "scalar", "double", (), ""),
-        ("dame", "scalar", "double", (), ""),
-        ("fmpd", "scalar", "double", (), ""),
-        ("on_front", "scalar", "int32_t", (), ""),
-        ("chosen", "scalar", "int32_t", (), ""),
-    ),
     "mien_kernel": (
         ("kind", "scalar", "int32_t", (), "KERNEL"),
         ("reserved", "reserved", "int32_t", (), ""),
@@ -724,6 +775,132 @@ STRUCTS = {
         ("name", "text", "char", (), ""),
         ("position", "fixed", "double", (3,), ""),
     ),
+    "mien_anthropometry_options": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("reserved", "reserved", "uint32_t", (), ""),
+        ("place_sd", "matrix", "mien_array_view", (1,), ""),
+        ("normal_sd", "matrix", "mien_array_view", (1,), ""),
+        ("slide_correlation_mm", "scalar", "double", (), ""),
+        ("normal_correlation_mm", "scalar", "double", (), ""),
+        ("norms", "handle", "mien_norms", (), ""),
+        ("progress", "callback", "mien_progress_fn", (), ""),
+        ("progress_user", "user", "void", (), ""),
+        ("cancel", "handle", "mien_cancel", (), ""),
+    ),
+    "mien_anthropometric_value": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("kind", "scalar", "int32_t", (), "MEASURE"),
+        ("value", "scalar", "double", (), ""),
+        ("sd", "scalar", "double", (), ""),
+        ("z", "scalar", "double", (), ""),
+        ("z_sd", "scalar", "double", (), ""),
+        ("norm_mean", "scalar", "double", (), ""),
+        ("norm_sd", "scalar", "double", (), ""),
+        ("norm_people", "scalar", "uint64_t", (), ""),
+    ),
+    "mien_measure_options": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("skip_borders", "scalar", "int32_t", (), ""),
+        ("zones", "structs", "mien_zone", ('zone_count',), ""),
+        ("zone_count", "count", "uint64_t", (), ""),
+        ("before_sd", "matrix", "mien_array_view", (1,), ""),
+        ("after_sd", "matrix", "mien_array_view", (1,), ""),
+        ("correlation_length_mm", "scalar", "double", (), ""),
+        ("alignment_rotation_sd_rad", "scalar", "double", (), ""),
+        ("alignment_translation_sd_mm", "scalar", "double", (), ""),
+        ("alignment_centre", "fixed", "double", (3,), ""),
+        ("common_bias_mm", "scalar", "double", (), ""),
+        ("limit_of_detection_ml", "scalar", "double", (), ""),
+        ("max_distance_mm", "scalar", "double", (), ""),
+        ("progress", "callback", "mien_progress_fn", (), ""),
+        ("progress_user", "user", "void", (), ""),
+        ("cancel", "handle", "mien_cancel", (), ""),
+    ),
+    "mien_zone_volume": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("detected", "scalar", "int32_t", (), ""),
+        ("signed_ml", "scalar", "double", (), ""),
+        ("positive_ml", "scalar", "double", (), ""),
+        ("negative_ml", "scalar", "double", (), ""),
+        ("absolute_ml", "scalar", "double", (), ""),
+        ("sd_ml", "scalar", "double", (), ""),
+        ("low95_ml", "scalar", "double", (), ""),
+        ("high95_ml", "scalar", "double", (), ""),
+        ("area_before_mm2", "scalar", "double", (), ""),
+        ("area_after_mm2", "scalar", "double", (), ""),
+    ),
+    "mien_zone_distance": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("reserved", "reserved", "uint32_t", (), ""),
+        ("mean_signed_mm", "scalar", "double", (), ""),
+        ("sd_signed_mm", "scalar", "double", (), ""),
+        ("mean_absolute_mm", "scalar", "double", (), ""),
+        ("rms_mm", "scalar", "double", (), ""),
+        ("mean_length_mm", "scalar", "double", (), ""),
+        ("median_length_mm", "scalar", "double", (), ""),
+        ("p95_length_mm", "scalar", "double", (), ""),
+        ("max_length_mm", "scalar", "double", (), ""),
+        ("vertex_count", "scalar", "uint64_t", (), ""),
+    ),
+    "mien_zone_alignment": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("reserved", "reserved", "uint32_t", (), ""),
+        ("pairs", "scalar", "uint64_t", (), ""),
+        ("rms_mm", "scalar", "double", (), ""),
+        ("rotation_sd_rad", "scalar", "double", (), ""),
+        ("translation_sd_mm", "scalar", "double", (), ""),
+        ("centre", "fixed", "double", (3,), ""),
+        ("matrix", "fixed", "double", (16,), ""),
+    ),
+    "mien_asymmetry_options": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("plane", "scalar", "int32_t", (), "MIRROR_BY"),
+        ("zones", "structs", "mien_zone", ('zone_count',), ""),
+        ("zone_count", "count", "uint64_t", (), ""),
+        ("landmarks", "handle", "mien_landmarks", (), ""),
+        ("normal_sd", "matrix", "mien_array_view", (1,), ""),
+        ("correlation_length_mm", "scalar", "double", (), ""),
+        ("progress", "callback", "mien_progress_fn", (), ""),
+        ("progress_user", "user", "void", (), ""),
+        ("cancel", "handle", "mien_cancel", (), ""),
+    ),
+    "mien_mirror_plane": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("by", "scalar", "int32_t", (), "MIRROR_BY"),
+        ("pairs", "scalar", "uint64_t", (), ""),
+        ("normal", "fixed", "double", (3,), ""),
+        ("centre", "fixed", "double", (3,), ""),
+        ("rms_mm", "scalar", "double", (), ""),
+        ("tilt_sd_rad", "scalar", "double", (), ""),
+        ("offset_sd_mm", "scalar", "double", (), ""),
+        ("between_rad", "scalar", "double", (), ""),
+        ("apart_mm", "scalar", "double", (), ""),
+    ),
+    "mien_spectral_basis_options": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("mode_count", "scalar", "uint32_t", (), ""),
+        ("mass", "scalar", "int32_t", (), "MASS"),
+        ("cotangents", "scalar", "int32_t", (), "COTANGENTS"),
+        ("progress", "callback", "mien_progress_fn", (), ""),
+        ("progress_user", "user", "void", (), ""),
+        ("cancel", "handle", "mien_cancel", (), ""),
+    ),
+    "mien_blendshape_options": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("reserved", "reserved", "uint32_t", (), ""),
+        ("ridge", "scalar", "double", (), ""),
+        ("progress", "callback", "mien_progress_fn", (), ""),
+        ("progress_user", "user", "void", (), ""),
+        ("cancel", "handle", "mien_cancel", (), ""),
+    ),
+    "mien_band_choice": (
+        ("k", "scalar", "uint64_t", (), ""),
+        ("l1_mm", "scalar", "double", (), ""),
+        ("dame", "scalar", "double", (), ""),
+        ("fmpd", "scalar", "double", (), ""),
+        ("on_front", "scalar", "int32_t", (), ""),
+        ("chosen", "scalar", "int32_t", (), ""),
+    ),
     "mien_register_options": (
         ("struct_size", "struct_size", "uint32_t", (), ""),
         ("growth", "scalar", "int32_t", (), "GROWTH"),
@@ -791,6 +968,16 @@ STRUCTS = {
         ("progress", "callback", "mien_progress_fn", (), ""),
         ("progress_user", "user", "void", (), ""),
         ("cancel", "handle", "mien_cancel", (), ""),
+        ("treated", "array", "uint32_t", ('treated_count',), ""),
+        ("treated_count", "count", "uint64_t", (), ""),
+        ("treated_margin_mm", "scalar", "double", (), ""),
+    ),
+    "mien_zone_reading": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("differ", "scalar", "int32_t", (), ""),
+        ("probability", "scalar", "double", (), ""),
+        ("removed_mm", "scalar", "double", (), ""),
+        ("removed_ml", "scalar", "double", (), ""),
     ),
     "mien_evaluate_options": (
         ("struct_size", "struct_size", "uint32_t", (), ""),
@@ -807,60 +994,8 @@ STRUCTS = {
         ("progress", "callback", "mien_progress_fn", (), ""),
         ("progress_user", "user", "void", (), ""),
         ("cancel", "handle", "mien_cancel", (), ""),
-    ),
-    "mien_measure_options": (
-        ("struct_size", "struct_size", "uint32_t", (), ""),
-        ("skip_borders", "scalar", "int32_t", (), ""),
-        ("zones", "structs", "mien_zone", ('zone_count',), ""),
-        ("zone_count", "count", "uint64_t", (), ""),
-        ("before_sd", "matrix", "mien_array_view", (1,), ""),
-        ("after_sd", "matrix", "mien_array_view", (1,), ""),
-        ("correlation_length_mm", "scalar", "double", (), ""),
-        ("alignment_rotation_sd_rad", "scalar", "double", (), ""),
-        ("alignment_translation_sd_mm", "scalar", "double", (), ""),
-        ("alignment_centre", "fixed", "double", (3,), ""),
-        ("common_bias_mm", "scalar", "double", (), ""),
-        ("limit_of_detection_ml", "scalar", "double", (), ""),
-        ("max_distance_mm", "scalar", "double", (), ""),
-        ("progress", "callback", "mien_progress_fn", (), ""),
-        ("progress_user", "user", "void", (), ""),
-        ("cancel", "handle", "mien_cancel", (), ""),
-    ),
-    "mien_zone_volume": (
-        ("struct_size", "struct_size", "uint32_t", (), ""),
-        ("detected", "scalar", "int32_t", (), ""),
-        ("signed_ml", "scalar", "double", (), ""),
-        ("positive_ml", "scalar", "double", (), ""),
-        ("negative_ml", "scalar", "double", (), ""),
-        ("absolute_ml", "scalar", "double", (), ""),
-        ("sd_ml", "scalar", "double", (), ""),
-        ("low95_ml", "scalar", "double", (), ""),
-        ("high95_ml", "scalar", "double", (), ""),
-        ("area_before_mm2", "scalar", "double", (), ""),
-        ("area_after_mm2", "scalar", "double", (), ""),
-    ),
-    "mien_zone_distance": (
-        ("struct_size", "struct_size", "uint32_t", (), ""),
-        ("reserved", "reserved", "uint32_t", (), ""),
-        ("mean_signed_mm", "scalar", "double", (), ""),
-        ("sd_signed_mm", "scalar", "double", (), ""),
-        ("mean_absolute_mm", "scalar", "double", (), ""),
-        ("rms_mm", "scalar", "double", (), ""),
-        ("mean_length_mm", "scalar", "double", (), ""),
-        ("median_length_mm", "scalar", "double", (), ""),
-        ("p95_length_mm", "scalar", "double", (), ""),
-        ("max_length_mm", "scalar", "double", (), ""),
-        ("vertex_count", "scalar", "uint64_t", (), ""),
-    ),
-    "mien_zone_alignment": (
-        ("struct_size", "struct_size", "uint32_t", (), ""),
-        ("reserved", "reserved", "uint32_t", (), ""),
-        ("pairs", "scalar", "uint64_t", (), ""),
-        ("rms_mm", "scalar", "double", (), ""),
-        ("rotation_sd_rad", "scalar", "double", (), ""),
-        ("translation_sd_mm", "scalar", "double", (), ""),
-        ("centre", "fixed", "double", (3,), ""),
-        ("matrix", "fixed", "double", (16,), ""),
+        ("volume_zones", "structs", "mien_zone", ('volume_zone_count',), ""),
+        ("volume_zone_count", "count", "uint64_t", (), ""),
     ),
     "mien_network_options": (
         ("struct_size", "struct_size", "uint32_t", (), ""),
@@ -906,6 +1041,8 @@ STRUCTS = {
         ("cancel", "handle", "mien_cancel", (), ""),
         ("focus", "scalar", "uint32_t", (), ""),
         ("reserved2", "reserved", "uint32_t", (), ""),
+        ("features", "scalar", "int32_t", (), "SCORE_FEATURES"),
+        ("reserved3", "reserved", "uint32_t", (), ""),
     ),
     "mien_score_prediction": (
         ("struct_size", "struct_size", "uint32_t", (), ""),
@@ -1226,183 +1363,6 @@ FUNCTIONS = {
     "mien_mesh_release": (None, (), (
         ("mesh", "handle", "mien_mesh", (), True, ""),
     )),
-    "mien_spectral_basis_options_init": (None, (), (
-        ("options", "struct_out", "mien_spectral_basis_options", (), False, ""),
-        ("struct_size", "struct_size", "size_t", (), False, ""),
-    )),
-    "mien_spectral_basis_build": (ctypes.c_int32, ('session',), (
-        ("session", "handle", "mien_session", (), False, ""),
-        ("mean", "handle", "mien_mesh", (), False, ""),
-        ("options", "struct", "mien_spectral_basis_options", (), True, ""),
-        ("out", "handle_out", "mien_spectral_basis", (), False, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_spectral_basis_load": (ctypes.c_int32, ('session',), (
-        ("session", "handle", "mien_session", (), False, ""),
-        ("path", "text", "char", (), False, ""),
-        ("out", "handle_out", "mien_spectral_basis", (), False, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_spectral_basis_save": (ctypes.c_int32, ('session',), (
-        ("session", "handle", "mien_session", (), False, ""),
-        ("basis", "handle", "mien_spectral_basis", (), False, ""),
-        ("path", "text", "char", (), False, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_spectral_basis_get_counts": (ctypes.c_int32, (), (
-        ("basis", "handle", "mien_spectral_basis", (), False, ""),
-        ("vertex_count", "scalar_out", "uint64_t", (), True, ""),
-        ("mode_count", "scalar_out", "uint64_t", (), True, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_spectral_basis_get_eigenvalues": (ctypes.c_int32, (), (
-        ("basis", "handle", "mien_spectral_basis", (), False, ""),
-        ("dst", "array_out", "double", ('capacity',), True, ""),
-        ("capacity", "capacity", "uint64_t", (), False, ""),
-        ("count", "count_out", "uint64_t", (), True, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_spectral_basis_retain": (None, (), (
-        ("basis", "handle", "mien_spectral_basis", (), True, ""),
-    )),
-    "mien_spectral_basis_release": (None, (), (
-        ("basis", "handle", "mien_spectral_basis", (), True, ""),
-    )),
-    "mien_spectral_split": (ctypes.c_int32, ('session',), (
-        ("session", "handle", "mien_session", (), False, ""),
-        ("basis", "handle", "mien_spectral_basis", (), False, ""),
-        ("face", "handle", "mien_mesh", (), False, ""),
-        ("k", "scalar", "uint64_t", (), False, ""),
-        ("low", "handle_out", "mien_mesh", (), True, ""),
-        ("high", "handle_out", "mien_mesh", (), True, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_spectral_assemble": (ctypes.c_int32, ('session',), (
-        ("session", "handle", "mien_session", (), False, ""),
-        ("basis", "handle", "mien_spectral_basis", (), False, ""),
-        ("low", "handle", "mien_mesh", (), False, ""),
-        ("high", "handle", "mien_mesh", (), False, ""),
-        ("k", "scalar", "uint64_t", (), False, ""),
-        ("out", "handle_out", "mien_mesh", (), False, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_spectral_edit": (ctypes.c_int32, ('session',), (
-        ("session", "handle", "mien_session", (), False, ""),
-        ("basis", "handle", "mien_spectral_basis", (), False, ""),
-        ("face", "handle", "mien_mesh", (), False, ""),
-        ("limits", "array", "uint64_t", ('limit_count',), True, ""),
-        ("limit_count", "count", "uint64_t", (), False, ""),
-        ("gains", "array", "double", ('limit_count+1',), False, ""),
-        ("out", "handle_out", "mien_mesh", (), False, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_spectral_mix": (ctypes.c_int32, ('session',), (
-        ("session", "handle", "mien_session", (), False, ""),
-        ("basis", "handle", "mien_spectral_basis", (), False, ""),
-        ("first", "handle", "mien_mesh", (), False, ""),
-        ("second", "handle", "mien_mesh", (), False, ""),
-        ("limits", "array", "uint64_t", ('limit_count',), True, ""),
-        ("limit_count", "count", "uint64_t", (), False, ""),
-        ("weights", "array", "double", ('limit_count+1',), False, ""),
-        ("out", "handle_out", "mien_mesh", (), False, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_metric": (ctypes.c_int32, ('session',), (
-        ("session", "handle", "mien_session", (), False, ""),
-        ("metric", "scalar", "int32_t", (), False, "METRIC"),
-        ("reference", "handle", "mien_mesh", (), False, ""),
-        ("other", "handle", "mien_mesh", (), False, ""),
-        ("value", "scalar_out", "double", (), False, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_transfer_expression": (ctypes.c_int32, ('session',), (
-        ("session", "handle", "mien_session", (), False, ""),
-        ("source_neutral", "handle", "mien_mesh", (), False, ""),
-        ("source_expression", "handle", "mien_mesh", (), False, ""),
-        ("target_neutral", "handle", "mien_mesh", (), False, ""),
-        ("out", "handle_out", "mien_mesh", (), False, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_blendshape_options_init": (None, (), (
-        ("options", "struct_out", "mien_blendshape_options", (), False, ""),
-        ("struct_size", "struct_size", "size_t", (), False, ""),
-    )),
-    "mien_blendshape_model_train": (ctypes.c_int32, ('session',), (
-        ("session", "handle", "mien_session", (), False, ""),
-        ("dataset_path", "text", "char", (), False, ""),
-        ("expression", "text", "char", (), False, ""),
-        ("options", "struct", "mien_blendshape_options", (), True, ""),
-        ("out", "handle_out", "mien_blendshape_model", (), False, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_blendshape_model_load": (ctypes.c_int32, ('session',), (
-        ("session", "handle", "mien_session", (), False, ""),
-        ("path", "text", "char", (), False, ""),
-        ("out", "handle_out", "mien_blendshape_model", (), False, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_blendshape_model_save": (ctypes.c_int32, ('session',), (
-        ("session", "handle", "mien_session", (), False, ""),
-        ("model", "handle", "mien_blendshape_model", (), False, ""),
-        ("path", "text", "char", (), False, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_blendshape_model_get_mean": (ctypes.c_int32, (), (
-        ("model", "handle", "mien_blendshape_model", (), False, ""),
-        ("out", "handle_out", "mien_mesh", (), False, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_blendshape_model_predict": (ctypes.c_int32, ('session',), (
-        ("session", "handle", "mien_session", (), False, ""),
-        ("model", "handle", "mien_blendshape_model", (), False, ""),
-        ("basis", "handle", "mien_spectral_basis", (), True, ""),
-        ("k", "scalar", "uint64_t", (), False, ""),
-        ("neutral", "handle", "mien_mesh", (), False, ""),
-        ("out", "handle_out", "mien_mesh", (), False, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_blendshape_model_search": (ctypes.c_int32, ('session',), (
-        ("session", "handle", "mien_session", (), False, ""),
-        ("model", "handle", "mien_blendshape_model", (), False, ""),
-        ("basis", "handle", "mien_spectral_basis", (), False, ""),
-        ("dataset_path", "text", "char", (), False, ""),
-        ("expression", "text", "char", (), False, ""),
-        ("candidates", "array", "uint64_t", ('candidate_count',), False, ""),
-        ("candidate_count", "count", "uint32_t", (), False, ""),
-        ("options", "struct", "mien_blendshape_options", (), True, ""),
-        ("choices", "structs_out", "mien_band_choice", ('candidate_count',), False, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_blendshape_model_retain": (None, (), (
-        ("model", "handle", "mien_blendshape_model", (), True, ""),
-    )),
-    "mien_blendshape_model_release": (None, (), (
-        ("model", "handle", "mien_blendshape_model", (), True, ""),
-    )),
-    "mien_dataset_writer_create": (ctypes.c_int32, ('session',), (
-        ("session", "handle", "mien_session", (), False, ""),
-        ("topology", "handle", "mien_mesh", (), False, ""),
-        ("expression_names", "texts", "char", ('expression_count',), False, ""),
-        ("expression_count", "count", "uint32_t", (), False, ""),
-        ("out", "handle_out", "mien_dataset_writer", (), False, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_dataset_writer_add": (ctypes.c_int32, ('writer',), (
-        ("writer", "handle", "mien_dataset_writer", (), False, ""),
-        ("positions", "matrix", "mien_array_view", (3,), False, ""),
-        ("subject", "scalar", "int32_t", (), False, ""),
-        ("expression", "scalar", "int32_t", (), False, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_dataset_writer_save": (ctypes.c_int32, ('session', 'writer'), (
-        ("session", "handle", "mien_session", (), False, ""),
-        ("writer", "handle", "mien_dataset_writer", (), False, ""),
-        ("path", "text", "char", (), False, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_dataset_writer_release": (None, (), (
-        ("writer", "handle", "mien_dataset_writer", (), True, ""),
-    )),
     "mien_model_options_init": (None, (), (
         ("options", "struct_out", "mien_model_options", (), False, ""),
         ("struct_size", "struct_size", "size_t", (), False, ""),
@@ -1628,6 +1588,402 @@ FUNCTIONS = {
     "mien_zones_release": (None, (), (
         ("zones", "handle", "mien_zones", (), True, ""),
     )),
+    "mien_anthropometry_options_init": (None, (), (
+        ("options", "struct_out", "mien_anthropometry_options", (), False, ""),
+        ("struct_size", "struct_size", "size_t", (), False, ""),
+    )),
+    "mien_landmarks_add_profile": (ctypes.c_int32, (), (
+        ("landmarks", "handle", "mien_landmarks", (), False, ""),
+        ("template_mesh", "handle", "mien_mesh", (), False, ""),
+        ("out", "handle_out", "mien_landmarks", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_measure_anthropometry": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("face", "handle", "mien_mesh", (), False, ""),
+        ("landmarks", "handle", "mien_landmarks", (), False, ""),
+        ("options", "struct", "mien_anthropometry_options", (), True, ""),
+        ("out", "handle_out", "mien_anthropometry", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_anthropometry_get_counts": (ctypes.c_int32, (), (
+        ("anthropometry", "handle", "mien_anthropometry", (), False, ""),
+        ("count", "scalar_out", "uint64_t", (), True, ""),
+        ("known_count", "scalar_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_anthropometry_get_name": (ctypes.c_int32, (), (
+        ("anthropometry", "handle", "mien_anthropometry", (), False, ""),
+        ("index", "scalar", "uint64_t", (), False, ""),
+        ("dst", "text_out", "char", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_anthropometry_get_value": (ctypes.c_int32, (), (
+        ("anthropometry", "handle", "mien_anthropometry", (), False, ""),
+        ("index", "scalar", "uint64_t", (), False, ""),
+        ("out", "struct_out", "mien_anthropometric_value", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_anthropometry_get_reason": (ctypes.c_int32, (), (
+        ("anthropometry", "handle", "mien_anthropometry", (), False, ""),
+        ("index", "scalar", "uint64_t", (), False, ""),
+        ("dst", "text_out", "char", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_anthropometry_get_json": (ctypes.c_int32, (), (
+        ("anthropometry", "handle", "mien_anthropometry", (), False, ""),
+        ("dst", "text_out", "char", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_anthropometry_release": (None, (), (
+        ("anthropometry", "handle", "mien_anthropometry", (), True, ""),
+    )),
+    "mien_norms_create": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("dataset_path", "text", "char", (), False, ""),
+        ("landmarks", "handle", "mien_landmarks", (), False, ""),
+        ("options", "struct", "mien_anthropometry_options", (), True, ""),
+        ("out", "handle_out", "mien_norms", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_norms_load": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("path", "text", "char", (), False, ""),
+        ("out", "handle_out", "mien_norms", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_norms_save": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("norms", "handle", "mien_norms", (), False, ""),
+        ("path", "text", "char", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_norms_get_json": (ctypes.c_int32, (), (
+        ("norms", "handle", "mien_norms", (), False, ""),
+        ("dst", "text_out", "char", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_norms_release": (None, (), (
+        ("norms", "handle", "mien_norms", (), True, ""),
+    )),
+    "mien_measure_options_init": (None, (), (
+        ("options", "struct_out", "mien_measure_options", (), False, ""),
+        ("struct_size", "struct_size", "size_t", (), False, ""),
+    )),
+    "mien_measure_volume": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("before", "handle", "mien_mesh", (), False, ""),
+        ("after", "handle", "mien_mesh", (), False, ""),
+        ("options", "struct", "mien_measure_options", (), True, ""),
+        ("out", "handle_out", "mien_measurement", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_measure_distance": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("before", "handle", "mien_mesh", (), False, ""),
+        ("after", "handle", "mien_mesh", (), False, ""),
+        ("options", "struct", "mien_measure_options", (), True, ""),
+        ("out", "handle_out", "mien_measurement", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_measure_surface_distance": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("before", "handle", "mien_mesh", (), False, ""),
+        ("after", "handle", "mien_mesh", (), False, ""),
+        ("options", "struct", "mien_measure_options", (), True, ""),
+        ("out", "handle_out", "mien_measurement", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_measure_closed_volume": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("mesh", "handle", "mien_mesh", (), False, ""),
+        ("close_rims", "scalar", "int32_t", (), False, ""),
+        ("volume_ml", "scalar_out", "double", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_measure_area": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("mesh", "handle", "mien_mesh", (), False, ""),
+        ("zone", "struct", "mien_zone", (), True, ""),
+        ("area_mm2", "scalar_out", "double", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_measure_curvature": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("mesh", "handle", "mien_mesh", (), False, ""),
+        ("radius_mm", "scalar", "double", (), False, ""),
+        ("robust", "scalar", "int32_t", (), False, ""),
+        ("options", "struct", "mien_measure_options", (), True, ""),
+        ("out", "handle_out", "mien_measurement", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_measure_lengths": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("mesh", "handle", "mien_mesh", (), False, ""),
+        ("pairs", "array", "uint32_t", ('pair_count', 2), False, ""),
+        ("pair_count", "count", "uint64_t", (), False, ""),
+        ("straight_mm", "array_out", "double", ('pair_count',), True, ""),
+        ("geodesic_mm", "array_out", "double", ('pair_count',), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_measure_scan_volume": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("before", "handle", "mien_mesh", (), False, ""),
+        ("after", "handle", "mien_mesh", (), False, ""),
+        ("carry", "scalar", "int32_t", (), False, "CARRY"),
+        ("direction", "array", "double", (3,), True, ""),
+        ("options", "struct", "mien_measure_options", (), True, ""),
+        ("coverage", "scalar_out", "double", (), True, ""),
+        ("out", "handle_out", "mien_measurement", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_measure_align": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("moving", "handle", "mien_mesh", (), False, ""),
+        ("target", "handle", "mien_mesh", (), False, ""),
+        ("stable", "struct", "mien_zone", (), True, ""),
+        ("info", "struct_out", "mien_zone_alignment", (), True, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_measurement_get_zones": (ctypes.c_int32, (), (
+        ("measurement", "handle", "mien_measurement", (), False, ""),
+        ("zone_count", "scalar_out", "uint32_t", (), True, ""),
+        ("zones_disjoint", "scalar_out", "int32_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_measurement_get_volume": (ctypes.c_int32, (), (
+        ("measurement", "handle", "mien_measurement", (), False, ""),
+        ("zone", "scalar", "int32_t", (), False, ""),
+        ("out", "struct_out", "mien_zone_volume", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_measurement_get_distance": (ctypes.c_int32, (), (
+        ("measurement", "handle", "mien_measurement", (), False, ""),
+        ("zone", "scalar", "int32_t", (), False, ""),
+        ("out", "struct_out", "mien_zone_distance", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_measurement_get_field": (ctypes.c_int32, (), (
+        ("measurement", "handle", "mien_measurement", (), False, ""),
+        ("field", "scalar", "int32_t", (), False, "FIELD"),
+        ("dst", "array_out", "double", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_measurement_get_json": (ctypes.c_int32, (), (
+        ("measurement", "handle", "mien_measurement", (), False, ""),
+        ("dst", "text_out", "char", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_measurement_release": (None, (), (
+        ("measurement", "handle", "mien_measurement", (), True, ""),
+    )),
+    "mien_asymmetry_options_init": (None, (), (
+        ("options", "struct_out", "mien_asymmetry_options", (), False, ""),
+        ("struct_size", "struct_size", "size_t", (), False, ""),
+    )),
+    "mien_measure_asymmetry": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("face", "handle", "mien_mesh", (), False, ""),
+        ("template_mesh", "handle", "mien_mesh", (), False, ""),
+        ("options", "struct", "mien_asymmetry_options", (), True, ""),
+        ("out", "handle_out", "mien_measurement", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_measurement_get_mirror_plane": (ctypes.c_int32, (), (
+        ("measurement", "handle", "mien_measurement", (), False, ""),
+        ("out", "struct_out", "mien_mirror_plane", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_spectral_basis_options_init": (None, (), (
+        ("options", "struct_out", "mien_spectral_basis_options", (), False, ""),
+        ("struct_size", "struct_size", "size_t", (), False, ""),
+    )),
+    "mien_spectral_basis_build": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("mean", "handle", "mien_mesh", (), False, ""),
+        ("options", "struct", "mien_spectral_basis_options", (), True, ""),
+        ("out", "handle_out", "mien_spectral_basis", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_spectral_basis_load": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("path", "text", "char", (), False, ""),
+        ("out", "handle_out", "mien_spectral_basis", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_spectral_basis_save": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("basis", "handle", "mien_spectral_basis", (), False, ""),
+        ("path", "text", "char", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_spectral_basis_get_counts": (ctypes.c_int32, (), (
+        ("basis", "handle", "mien_spectral_basis", (), False, ""),
+        ("vertex_count", "scalar_out", "uint64_t", (), True, ""),
+        ("mode_count", "scalar_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_spectral_basis_get_eigenvalues": (ctypes.c_int32, (), (
+        ("basis", "handle", "mien_spectral_basis", (), False, ""),
+        ("dst", "array_out", "double", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_spectral_basis_retain": (None, (), (
+        ("basis", "handle", "mien_spectral_basis", (), True, ""),
+    )),
+    "mien_spectral_basis_release": (None, (), (
+        ("basis", "handle", "mien_spectral_basis", (), True, ""),
+    )),
+    "mien_spectral_split": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("basis", "handle", "mien_spectral_basis", (), False, ""),
+        ("face", "handle", "mien_mesh", (), False, ""),
+        ("k", "scalar", "uint64_t", (), False, ""),
+        ("low", "handle_out", "mien_mesh", (), True, ""),
+        ("high", "handle_out", "mien_mesh", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_spectral_assemble": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("basis", "handle", "mien_spectral_basis", (), False, ""),
+        ("low", "handle", "mien_mesh", (), False, ""),
+        ("high", "handle", "mien_mesh", (), False, ""),
+        ("k", "scalar", "uint64_t", (), False, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_spectral_edit": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("basis", "handle", "mien_spectral_basis", (), False, ""),
+        ("face", "handle", "mien_mesh", (), False, ""),
+        ("limits", "array", "uint64_t", ('limit_count',), True, ""),
+        ("limit_count", "count", "uint64_t", (), False, ""),
+        ("gains", "array", "double", ('limit_count+1',), False, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_spectral_mix": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("basis", "handle", "mien_spectral_basis", (), False, ""),
+        ("first", "handle", "mien_mesh", (), False, ""),
+        ("second", "handle", "mien_mesh", (), False, ""),
+        ("limits", "array", "uint64_t", ('limit_count',), True, ""),
+        ("limit_count", "count", "uint64_t", (), False, ""),
+        ("weights", "array", "double", ('limit_count+1',), False, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_metric": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("metric", "scalar", "int32_t", (), False, "METRIC"),
+        ("reference", "handle", "mien_mesh", (), False, ""),
+        ("other", "handle", "mien_mesh", (), False, ""),
+        ("value", "scalar_out", "double", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_transfer_expression": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("source_neutral", "handle", "mien_mesh", (), False, ""),
+        ("source_expression", "handle", "mien_mesh", (), False, ""),
+        ("target_neutral", "handle", "mien_mesh", (), False, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_blendshape_options_init": (None, (), (
+        ("options", "struct_out", "mien_blendshape_options", (), False, ""),
+        ("struct_size", "struct_size", "size_t", (), False, ""),
+    )),
+    "mien_blendshape_model_train": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("dataset_path", "text", "char", (), False, ""),
+        ("expression", "text", "char", (), False, ""),
+        ("options", "struct", "mien_blendshape_options", (), True, ""),
+        ("out", "handle_out", "mien_blendshape_model", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_blendshape_model_load": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("path", "text", "char", (), False, ""),
+        ("out", "handle_out", "mien_blendshape_model", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_blendshape_model_save": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("model", "handle", "mien_blendshape_model", (), False, ""),
+        ("path", "text", "char", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_blendshape_model_get_mean": (ctypes.c_int32, (), (
+        ("model", "handle", "mien_blendshape_model", (), False, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_blendshape_model_predict": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("model", "handle", "mien_blendshape_model", (), False, ""),
+        ("basis", "handle", "mien_spectral_basis", (), True, ""),
+        ("k", "scalar", "uint64_t", (), False, ""),
+        ("neutral", "handle", "mien_mesh", (), False, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_blendshape_model_search": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("model", "handle", "mien_blendshape_model", (), False, ""),
+        ("basis", "handle", "mien_spectral_basis", (), False, ""),
+        ("dataset_path", "text", "char", (), False, ""),
+        ("expression", "text", "char", (), False, ""),
+        ("candidates", "array", "uint64_t", ('candidate_count',), False, ""),
+        ("candidate_count", "count", "uint32_t", (), False, ""),
+        ("options", "struct", "mien_blendshape_options", (), True, ""),
+        ("choices", "structs_out", "mien_band_choice", ('candidate_count',), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_blendshape_model_retain": (None, (), (
+        ("model", "handle", "mien_blendshape_model", (), True, ""),
+    )),
+    "mien_blendshape_model_release": (None, (), (
+        ("model", "handle", "mien_blendshape_model", (), True, ""),
+    )),
+    "mien_dataset_writer_create": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("topology", "handle", "mien_mesh", (), False, ""),
+        ("expression_names", "texts", "char", ('expression_count',), False, ""),
+        ("expression_count", "count", "uint32_t", (), False, ""),
+        ("out", "handle_out", "mien_dataset_writer", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_dataset_writer_add": (ctypes.c_int32, ('writer',), (
+        ("writer", "handle", "mien_dataset_writer", (), False, ""),
+        ("positions", "matrix", "mien_array_view", (3,), False, ""),
+        ("subject", "scalar", "int32_t", (), False, ""),
+        ("expression", "scalar", "int32_t", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_dataset_writer_save": (ctypes.c_int32, ('session', 'writer'), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("writer", "handle", "mien_dataset_writer", (), False, ""),
+        ("path", "text", "char", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_dataset_writer_release": (None, (), (
+        ("writer", "handle", "mien_dataset_writer", (), True, ""),
+    )),
     "mien_register_options_init": (None, (), (
         ("options", "struct_out", "mien_register_options", (), False, ""),
         ("struct_size", "struct_size", "size_t", (), False, ""),
@@ -1844,6 +2200,12 @@ FUNCTIONS = {
         ("count", "count_out", "uint64_t", (), True, ""),
         ("error", "error", "mien_error", (), True, ""),
     )),
+    "mien_neutralization_get_reading": (ctypes.c_int32, (), (
+        ("neutralization", "handle", "mien_neutralization", (), False, ""),
+        ("reading", "scalar", "int32_t", (), False, "READING"),
+        ("out", "struct_out", "mien_zone_reading", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
     "mien_neutralization_get_json": (ctypes.c_int32, (), (
         ("neutralization", "handle", "mien_neutralization", (), False, ""),
         ("dst", "text_out", "char", ('capacity',), True, ""),
@@ -1949,122 +2311,6 @@ FUNCTIONS = {
     )),
     "mien_hierarchy_release": (None, (), (
         ("hierarchy", "handle", "mien_hierarchy", (), True, ""),
-    )),
-    "mien_measure_options_init": (None, (), (
-        ("options", "struct_out", "mien_measure_options", (), False, ""),
-        ("struct_size", "struct_size", "size_t", (), False, ""),
-    )),
-    "mien_measure_volume": (ctypes.c_int32, ('session',), (
-        ("session", "handle", "mien_session", (), False, ""),
-        ("before", "handle", "mien_mesh", (), False, ""),
-        ("after", "handle", "mien_mesh", (), False, ""),
-        ("options", "struct", "mien_measure_options", (), True, ""),
-        ("out", "handle_out", "mien_measurement", (), False, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_measure_distance": (ctypes.c_int32, ('session',), (
-        ("session", "handle", "mien_session", (), False, ""),
-        ("before", "handle", "mien_mesh", (), False, ""),
-        ("after", "handle", "mien_mesh", (), False, ""),
-        ("options", "struct", "mien_measure_options", (), True, ""),
-        ("out", "handle_out", "mien_measurement", (), False, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_measure_surface_distance": (ctypes.c_int32, ('session',), (
-        ("session", "handle", "mien_session", (), False, ""),
-        ("before", "handle", "mien_mesh", (), False, ""),
-        ("after", "handle", "mien_mesh", (), False, ""),
-        ("options", "struct", "mien_measure_options", (), True, ""),
-        ("out", "handle_out", "mien_measurement", (), False, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_measure_closed_volume": (ctypes.c_int32, ('session',), (
-        ("session", "handle", "mien_session", (), False, ""),
-        ("mesh", "handle", "mien_mesh", (), False, ""),
-        ("close_rims", "scalar", "int32_t", (), False, ""),
-        ("volume_ml", "scalar_out", "double", (), False, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_measure_area": (ctypes.c_int32, ('session',), (
-        ("session", "handle", "mien_session", (), False, ""),
-        ("mesh", "handle", "mien_mesh", (), False, ""),
-        ("zone", "struct", "mien_zone", (), True, ""),
-        ("area_mm2", "scalar_out", "double", (), False, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_measure_curvature": (ctypes.c_int32, ('session',), (
-        ("session", "handle", "mien_session", (), False, ""),
-        ("mesh", "handle", "mien_mesh", (), False, ""),
-        ("radius_mm", "scalar", "double", (), False, ""),
-        ("robust", "scalar", "int32_t", (), False, ""),
-        ("options", "struct", "mien_measure_options", (), True, ""),
-        ("out", "handle_out", "mien_measurement", (), False, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_measure_lengths": (ctypes.c_int32, ('session',), (
-        ("session", "handle", "mien_session", (), False, ""),
-        ("mesh", "handle", "mien_mesh", (), False, ""),
-        ("pairs", "array", "uint32_t", ('pair_count', 2), False, ""),
-        ("pair_count", "count", "uint64_t", (), False, ""),
-        ("straight_mm", "array_out", "double", ('pair_count',), True, ""),
-        ("geodesic_mm", "array_out", "double", ('pair_count',), True, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_measure_scan_volume": (ctypes.c_int32, ('session',), (
-        ("session", "handle", "mien_session", (), False, ""),
-        ("before", "handle", "mien_mesh", (), False, ""),
-        ("after", "handle", "mien_mesh", (), False, ""),
-        ("carry", "scalar", "int32_t", (), False, "CARRY"),
-        ("direction", "array", "double", (3,), True, ""),
-        ("options", "struct", "mien_measure_options", (), True, ""),
-        ("coverage", "scalar_out", "double", (), True, ""),
-        ("out", "handle_out", "mien_measurement", (), False, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_measure_align": (ctypes.c_int32, ('session',), (
-        ("session", "handle", "mien_session", (), False, ""),
-        ("moving", "handle", "mien_mesh", (), False, ""),
-        ("target", "handle", "mien_mesh", (), False, ""),
-        ("stable", "struct", "mien_zone", (), True, ""),
-        ("info", "struct_out", "mien_zone_alignment", (), True, ""),
-        ("out", "handle_out", "mien_mesh", (), False, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_measurement_get_zones": (ctypes.c_int32, (), (
-        ("measurement", "handle", "mien_measurement", (), False, ""),
-        ("zone_count", "scalar_out", "uint32_t", (), True, ""),
-        ("zones_disjoint", "scalar_out", "int32_t", (), True, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_measurement_get_volume": (ctypes.c_int32, (), (
-        ("measurement", "handle", "mien_measurement", (), False, ""),
-        ("zone", "scalar", "int32_t", (), False, ""),
-        ("out", "struct_out", "mien_zone_volume", (), False, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_measurement_get_distance": (ctypes.c_int32, (), (
-        ("measurement", "handle", "mien_measurement", (), False, ""),
-        ("zone", "scalar", "int32_t", (), False, ""),
-        ("out", "struct_out", "mien_zone_distance", (), False, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_measurement_get_field": (ctypes.c_int32, (), (
-        ("measurement", "handle", "mien_measurement", (), False, ""),
-        ("field", "scalar", "int32_t", (), False, "FIELD"),
-        ("dst", "array_out", "double", ('capacity',), True, ""),
-        ("capacity", "capacity", "uint64_t", (), False, ""),
-        ("count", "count_out", "uint64_t", (), True, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_measurement_get_json": (ctypes.c_int32, (), (
-        ("measurement", "handle", "mien_measurement", (), False, ""),
-        ("dst", "text_out", "char", ('capacity',), True, ""),
-        ("capacity", "capacity", "uint64_t", (), False, ""),
-        ("count", "count_out", "uint64_t", (), True, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_measurement_release": (None, (), (
-        ("measurement", "handle", "mien_measurement", (), True, ""),
     )),
     "mien_mesh_inspect": (ctypes.c_int32, ('session',), (
         ("session", "handle", "mien_session", (), False, ""),

@@ -18,6 +18,11 @@ from .runtime import register_classes as _register_classes
 from .runtime import run as _run
 
 __all__ = [
+    "AnthropometricValue",
+    "Anthropometry",
+    "AnthropometryCounts",
+    "AnthropometryOptions",
+    "AsymmetryOptions",
     "BandChoice",
     "BlendshapeModel",
     "BlendshapeOptions",
@@ -51,6 +56,7 @@ __all__ = [
     "Mark",
     "Mass",
     "Material",
+    "Measure",
     "MeasureAlign",
     "MeasureLengths",
     "MeasureOptions",
@@ -64,6 +70,8 @@ __all__ = [
     "MeshMaterial",
     "MeshMaterialCounts",
     "Metric",
+    "MirrorBy",
+    "MirrorPlane",
     "Model",
     "ModelCounts",
     "ModelOptions",
@@ -76,9 +84,11 @@ __all__ = [
     "NeutralizationCoordinates",
     "NeutralizationCounts",
     "NeutralizeOptions",
+    "Norms",
     "Pls",
     "Pose",
     "Quality",
+    "Reading",
     "RegisterOptions",
     "Registration",
     "RegistrationCorrespondence",
@@ -88,6 +98,7 @@ __all__ = [
     "RepresentationEncode",
     "RepresentationOptions",
     "ScanLandmark",
+    "ScoreFeatures",
     "ScoreModel",
     "ScoreOptions",
     "ScorePrediction",
@@ -125,6 +136,7 @@ __all__ = [
     "ZoneAlignment",
     "ZoneDistance",
     "ZoneKind",
+    "ZoneReading",
     "ZoneVolume",
     "Zones",
     "build_id",
@@ -206,35 +218,6 @@ class Dtype(enum.IntEnum):
     U8 = 5
 
 
-class Mass(enum.IntEnum):
-    """Mass matrices of the Laplacian."""
-    MIXED_VORONOI = 0
-    BARYCENTRIC = 1
-    #: bands then follow the triangulation's density; for comparison
-    NONE = 2
-
-
-class Cotangents(enum.IntEnum):
-    """What to do with negative cotangent weights."""
-    INTRINSIC_DELAUNAY = 0
-    CLAMP = 1
-    KEEP = 2
-
-
-class Metric(enum.IntEnum):
-    """Distances between two faces."""
-    #: mm: mean of |dx| + |dy| + |dz| over the vertices
-    L1 = 1
-    #: mm: mean Euclidean distance over the vertices
-    L2 = 2
-    #: mm: largest distance of a vertex from the other surface, both ways
-    HAUSDORFF = 3
-    #: rad: change of the dihedral angles, masked, weighted with area
-    DAME = 4
-    #: 0 to 1: difference of the global roughness
-    FMPD = 5
-
-
 class KernelKind(enum.IntEnum):
     """Kernels: what makes two vertices of the template move alike."""
     #: no kernel: modes from faces alone (needs pca_dataset)
@@ -265,6 +248,91 @@ class Mark(enum.IntEnum):
     NOT_PICKED = 0
     PLACE = 1
     VERTEX = 2
+
+
+class Measure(enum.IntEnum):
+    """Kinds of measurements."""
+    #: straight, mm
+    LENGTH = 1
+    #: along the skin, mm
+    SURFACE_LENGTH = 2
+    #: degrees
+    ANGLE = 3
+    #: signed, of one line against another, degrees
+    INCLINATION = 4
+    #: percent
+    PROPORTION = 5
+    #: signed distance from a line, mm
+    LINE_OFFSET = 6
+
+
+class ZoneKind(enum.IntEnum):
+    """Places of the whole face and of what no zone covers, beside 0 .. zone_count - 1."""
+    WHOLE = -1
+    REST = -2
+
+
+class Field(enum.IntEnum):
+    """Fields with one value per vertex of the before face."""
+    #: along the normal of the before face
+    SIGNED_DISTANCE_MM = 1
+    #: length of the displacement or to the closest place
+    DISTANCE_MM = 2
+    POSITIVE_VOLUME_MM3 = 3
+    NEGATIVE_VOLUME_MM3 = 4
+    #: 1/mm, positive where the surface bulges outwards
+    CURVATURE_MAXIMAL = 5
+    #: 1/mm
+    CURVATURE_MINIMAL = 6
+    #: 1/mm
+    CURVATURE_MEAN = 7
+    #: 1/mm^2
+    CURVATURE_GAUSSIAN = 8
+
+
+class Carry(enum.IntEnum):
+    """How vertices are carried onto a surface that is not in correspondence."""
+    CLOSEST_POINT = 1
+    #: along one direction: a height field's integral
+    DIRECTION = 2
+    VERTEX_NORMAL = 3
+
+
+class MirrorBy(enum.IntEnum):
+    """What the mirror plane of a face is found by."""
+    #: all vertices and their partners, robustly
+    SURFACE = 0
+    #: the landmarks and their partners alone
+    LANDMARKS = 1
+
+
+class Mass(enum.IntEnum):
+    """Mass matrices of the Laplacian."""
+    MIXED_VORONOI = 0
+    BARYCENTRIC = 1
+    #: bands then follow the triangulation's density; for comparison
+    NONE = 2
+
+
+class Cotangents(enum.IntEnum):
+    """What to do with negative cotangent weights."""
+    INTRINSIC_DELAUNAY = 0
+    CLAMP = 1
+    KEEP = 2
+
+
+class Metric(enum.IntEnum):
+    """Distances between two faces."""
+    #: mm: mean of |dx| + |dy| + |dz| over the vertices
+    L1 = 1
+    #: mm: mean Euclidean distance over the vertices
+    L2 = 2
+    #: mm: largest distance of a vertex from the other surface, both ways
+    HAUSDORFF = 3
+    #: rad: change of the dihedral angles, masked, weighted with area
+    DAME = 4
+    #: 0 to 1: difference of the global roughness
+    FMPD = 5
 
 
 class Growth(enum.IntEnum):
@@ -354,44 +422,20 @@ class Pose(enum.IntEnum):
     RIGID = 2
 
 
+class Reading(enum.IntEnum):
+    """How a treated zone is read."""
+    #: the zone is no witness: what the result holds
+    TREATED = 0
+    #: all of the face is a witness
+    AS_EXPRESSION = 1
+
+
 class MapKind(enum.IntEnum):
     """Directions of a hierarchy's maps."""
     #: from the next finer level to this one
     DOWN = 1
     #: from this level to the next finer one
     UP = 2
-
-
-class ZoneKind(enum.IntEnum):
-    """Places of the whole face and of what no zone covers, beside 0 .. zone_count - 1."""
-    WHOLE = -1
-    REST = -2
-
-
-class Field(enum.IntEnum):
-    """Fields with one value per vertex of the before face."""
-    #: along the normal of the before face
-    SIGNED_DISTANCE_MM = 1
-    #: length of the displacement or to the closest place
-    DISTANCE_MM = 2
-    POSITIVE_VOLUME_MM3 = 3
-    NEGATIVE_VOLUME_MM3 = 4
-    #: 1/mm, positive where the surface bulges outwards
-    CURVATURE_MAXIMAL = 5
-    #: 1/mm
-    CURVATURE_MINIMAL = 6
-    #: 1/mm
-    CURVATURE_MEAN = 7
-    #: 1/mm^2
-    CURVATURE_GAUSSIAN = 8
-
-
-class Carry(enum.IntEnum):
-    """How vertices are carried onto a surface that is not in correspondence."""
-    CLOSEST_POINT = 1
-    #: along one direction: a height field's integral
-    DIRECTION = 2
-    VERTEX_NORMAL = 3
 
 
 class Features(enum.IntEnum):
@@ -408,6 +452,17 @@ class Pls(enum.IntEnum):
     """Which algorithm finds the latent variables; with one score both give the same regression."""
     NIPALS = 0
     SIMPLS = 1
+
+
+class ScoreFeatures(enum.IntEnum):
+    """What each vertex gives. jousse-2022 (B.2) has 17 numbers a vertex without naming them; ours are displacement
+    (3), change of the normal (3), k1, k2, mean and Gaussian curvature, curvedness, and the curvature tensor
+    (6), each of them an equal part of curvature_share.
+    """
+    #: displacement, k1, k2
+    DISPLACEMENT_AND_CURVATURE = 0
+    #: all 17
+    ALL = 1
 
 
 class StudyKind(enum.IntEnum):
@@ -528,45 +583,6 @@ class MeshArrays(_Options):
     triangle_materials: ArrayLike | None
     #: may be left out
     images: Sequence[Image] | None
-
-
-class SpectralBasisOptions(_Options):
-    """mien_spectral_basis_options of the C interface."""
-    _name = "mien_spectral_basis_options"
-    #: 1 to #V - 1; default 500
-    mode_count: int
-    #: MIEN_MASS_...; default mixed Voronoi
-    mass: Mass | int
-    #: MIEN_COTANGENTS_...; default intrinsic Delaunay
-    cotangents: Cotangents | int
-
-
-class BlendshapeOptions(_Options):
-    """mien_blendshape_options of the C interface."""
-    _name = "mien_blendshape_options"
-    #: of the kernel's mean diagonal; default 0: by leave-one-out error
-    ridge: float
-
-
-class BandChoice(_Record):
-    """One tried k of mien_blendshape_model_search()."""
-    _name = "mien_band_choice"
-    k: int
-    l1_mm: float
-    dame: float
-    fmpd: float
-    #: 1: no other k is better in both L1 and FMPD
-    on_front: int
-    #: 1: the front's knee
-    chosen: int
-
-    def __init__(self, k: int = 0, l1_mm: float = 0, dame: float = 0, fmpd: float = 0, on_front: int = 0, chosen: int = 0) -> None:
-        self.k = k
-        self.l1_mm = l1_mm
-        self.dame = dame
-        self.fmpd = fmpd
-        self.on_front = on_front
-        self.chosen = chosen
 
 
 class Kernel(_Record):
@@ -703,6 +719,206 @@ class ScanLandmark(_Record):
         self.position = position
 
 
+class AnthropometryOptions(_Options):
+    """mien_anthropometry_options of the C interface."""
+    _name = "mien_anthropometry_options"
+    #: #V, mm: deviation of each vertex' place per axis, as MIEN_REGISTRATION_STANDARD_DEVIATION_MM tells it;
+    #: count 0: not known, and no deviation
+    place_sd: ArrayLike
+    #: #V, mm: along the normal, as MIEN_REGISTRATION_NORMAL_DEVIATION_MM tells it; count 0: as place_sd
+    normal_sd: ArrayLike
+    #: over which a template slides together along the skin; default 15
+    slide_correlation_mm: float
+    #: over which it errs together across the skin; default 4
+    normal_correlation_mm: float
+    #: may be left out: no z-scores
+    norms: Norms | None
+
+
+class AnthropometricValue(_Record):
+    """One measurement of a face. NaN where a number is not known."""
+    _name = "mien_anthropometric_value"
+    #: MIEN_MEASURE_*
+    kind: Measure | int
+    #: NaN: mien_anthropometry_get_reason() says why
+    value: float
+    #: of the value, by the errors of the landmarks' places
+    sd: float
+    #: (value - norm_mean) / norm_sd
+    z: float
+    #: sd / norm_sd
+    z_sd: float
+    #: over the people of the norms
+    norm_mean: float
+    norm_sd: float
+    #: 0: no norm
+    norm_people: int
+
+
+class MeasureOptions(_Options):
+    """mien_measure_options of the C interface."""
+    _name = "mien_measure_options"
+    #: surfaces not in correspondence: 1 (default) leaves out places whose partner lies on an open border, where
+    #: nothing is known
+    skip_borders: int
+    #: zone_count zones; null: the whole face only
+    zones: Sequence[Zone] | None
+    #: #V, mm: deviation of each vertex along the normal, as MIEN_REGISTRATION_NORMAL_DEVIATION_MM tells it;
+    #: count 0: exact. Without that of either face there is no interval (since 0.2), whatever the alignment's
+    before_sd: ArrayLike
+    after_sd: ArrayLike
+    #: over which errors of a surface go together; default 4, in 0.1: 10
+    correlation_length_mm: float
+    #: of the after face against the before face; default 0
+    alignment_rotation_sd_rad: float
+    #: default 0
+    alignment_translation_sd_mm: float
+    #: mm; what the alignment turns about, e.g. the stable zone's centre
+    alignment_centre: Sequence[float]
+    #: error common to all vertices; default 0
+    common_bias_mm: float
+    #: smaller changes are marked as below it; default 0: unknown
+    limit_of_detection_ml: float
+    #: surfaces not in correspondence: farther partners are none; default 0: no limit
+    max_distance_mm: float
+
+
+class ZoneVolume(_Record):
+    """Volume of one zone, mL. signed = positive + negative, absolute = positive - negative; positive: the after
+    face lies outside. NaN where a number is not known.
+    """
+    _name = "mien_zone_volume"
+    #: 1: |signed| reaches the limit of detection, 0: below it, -1: no limit given
+    detected: int
+    signed_ml: float
+    #: >= 0
+    positive_ml: float
+    #: <= 0
+    negative_ml: float
+    absolute_ml: float
+    #: of signed_ml; NaN when no deviation was given
+    sd_ml: float
+    #: 95 % interval of signed_ml
+    low95_ml: float
+    high95_ml: float
+    area_before_mm2: float
+    #: NaN for surfaces not in correspondence
+    area_after_mm2: float
+
+
+class ZoneDistance(_Record):
+    """Distances of one zone, mm, weighted with area."""
+    _name = "mien_zone_distance"
+    #: along the normal of the before face; positive: outside
+    mean_signed_mm: float
+    sd_signed_mm: float
+    #: of the signed ones
+    mean_absolute_mm: float
+    #: of the lengths
+    rms_mm: float
+    mean_length_mm: float
+    median_length_mm: float
+    p95_length_mm: float
+    max_length_mm: float
+    #: vertices that had a partner
+    vertex_count: int
+
+
+class ZoneAlignment(_Record):
+    """A rigid alignment on a stable zone and how sure it is."""
+    _name = "mien_zone_alignment"
+    #: that counted
+    pairs: int
+    #: left over along the normals
+    rms_mm: float
+    #: about the centre, root mean square over the axes
+    rotation_sd_rad: float
+    #: per axis, root mean square
+    translation_sd_mm: float
+    #: of the zone on the target
+    centre: numpy.ndarray
+    #: 4 x 4 row by row, moving to target
+    matrix: numpy.ndarray
+
+
+class AsymmetryOptions(_Options):
+    """mien_asymmetry_options of the C interface."""
+    _name = "mien_asymmetry_options"
+    #: MIEN_MIRROR_BY_*; default by the surface
+    plane: MirrorBy | int
+    #: zone_count zones of either side; null: the whole side only
+    zones: Sequence[Zone] | None
+    #: of the template, vertices; may be left out unless the plane is found by them
+    landmarks: Landmarks | None
+    #: #V, mm: deviation of each vertex along the normal, as MIEN_REGISTRATION_NORMAL_DEVIATION_MM tells it;
+    #: count 0: not known, and no interval
+    normal_sd: ArrayLike
+    #: over which errors of the surface go together; default 4
+    correlation_length_mm: float
+
+
+class MirrorPlane(_Record):
+    """The plane between left and right. NaN where a number is not known."""
+    _name = "mien_mirror_plane"
+    #: MIEN_MIRROR_BY_*
+    by: MirrorBy | int
+    #: of partners that counted
+    pairs: int
+    #: unit, to the subject's left
+    normal: numpy.ndarray
+    #: mm, in the plane
+    centre: numpy.ndarray
+    #: of the distances between a side and the other's reflection
+    rms_mm: float
+    #: about either direction of the plane, root mean square
+    tilt_sd_rad: float
+    #: along the normal
+    offset_sd_mm: float
+    #: angle to the plane found the other way; NaN without landmarks
+    between_rad: float
+    #: of that plane from the centre, along its normal
+    apart_mm: float
+
+
+class SpectralBasisOptions(_Options):
+    """mien_spectral_basis_options of the C interface."""
+    _name = "mien_spectral_basis_options"
+    #: 1 to #V - 1; default 500
+    mode_count: int
+    #: MIEN_MASS_...; default mixed Voronoi
+    mass: Mass | int
+    #: MIEN_COTANGENTS_...; default intrinsic Delaunay
+    cotangents: Cotangents | int
+
+
+class BlendshapeOptions(_Options):
+    """mien_blendshape_options of the C interface."""
+    _name = "mien_blendshape_options"
+    #: of the kernel's mean diagonal; default 0: by leave-one-out error
+    ridge: float
+
+
+class BandChoice(_Record):
+    """One tried k of mien_blendshape_model_search()."""
+    _name = "mien_band_choice"
+    k: int
+    l1_mm: float
+    dame: float
+    fmpd: float
+    #: 1: no other k is better in both L1 and FMPD
+    on_front: int
+    #: 1: the front's knee
+    chosen: int
+
+    def __init__(self, k: int = 0, l1_mm: float = 0, dame: float = 0, fmpd: float = 0, on_front: int = 0, chosen: int = 0) -> None:
+        self.k = k
+        self.l1_mm = l1_mm
+        self.dame = dame
+        self.fmpd = fmpd
+        self.on_front = on_front
+        self.chosen = chosen
+
+
 class RegisterOptions(_Options):
     """mien_register_options of the C interface."""
     _name = "mien_register_options"
@@ -813,6 +1029,24 @@ class NeutralizeOptions(_Options):
     decay_mm: float
     #: #V x 1, >= 0: 0 where the scan had no data; count 0: all one
     weights: ArrayLike
+    #: treated_count vertices where the person may have been changed: no witness of expression or pose, so that
+    #: filler in a lip stays on the face and is not taken for a rolled lip; null: none. Since 0.2
+    treated: ArrayLike | None
+    #: around them, no witness either; treatments spread; 0 to 100, default 10
+    treated_margin_mm: float
+
+
+class ZoneReading(_Record):
+    """What a reading takes off inside the treated zone (without its margin)."""
+    _name = "mien_zone_reading"
+    #: 1: the two readings see another expression and another volume
+    differ: int
+    #: of the likeliest expression, which the JSON names
+    probability: float
+    #: root mean square over the zone
+    removed_mm: float
+    #: by which the zone stood out through the expression, to first order
+    removed_ml: float
 
 
 class EvaluateOptions(_Options):
@@ -832,92 +1066,8 @@ class EvaluateOptions(_Options):
     zone_vertices: ArrayLike | None
     #: align every face rigidly to its target on these first; null: not
     stable_vertices: ArrayLike | None
-
-
-class MeasureOptions(_Options):
-    """mien_measure_options of the C interface."""
-    _name = "mien_measure_options"
-    #: surfaces not in correspondence: 1 (default) leaves out places whose partner lies on an open border, where
-    #: nothing is known
-    skip_borders: int
-    #: zone_count zones; null: the whole face only
-    zones: Sequence[Zone] | None
-    #: #V, mm: deviation of each vertex along the normal, as MIEN_REGISTRATION_NORMAL_DEVIATION_MM tells it;
-    #: count 0: exact. Without that of either face there is no interval (since 0.2), whatever the alignment's
-    before_sd: ArrayLike
-    after_sd: ArrayLike
-    #: over which errors of a surface go together; default 4, in 0.1: 10
-    correlation_length_mm: float
-    #: of the after face against the before face; default 0
-    alignment_rotation_sd_rad: float
-    #: default 0
-    alignment_translation_sd_mm: float
-    #: mm; what the alignment turns about, e.g. the stable zone's centre
-    alignment_centre: Sequence[float]
-    #: error common to all vertices; default 0
-    common_bias_mm: float
-    #: smaller changes are marked as below it; default 0: unknown
-    limit_of_detection_ml: float
-    #: surfaces not in correspondence: farther partners are none; default 0: no limit
-    max_distance_mm: float
-
-
-class ZoneVolume(_Record):
-    """Volume of one zone, mL. signed = positive + negative, absolute = positive - negative; positive: the after
-    face lies outside. NaN where a number is not known.
-    """
-    _name = "mien_zone_volume"
-    #: 1: |signed| reaches the limit of detection, 0: below it, -1: no limit given
-    detected: int
-    signed_ml: float
-    #: >= 0
-    positive_ml: float
-    #: <= 0
-    negative_ml: float
-    absolute_ml: float
-    #: of signed_ml; NaN when no deviation was given
-    sd_ml: float
-    #: 95 % interval of signed_ml
-    low95_ml: float
-    high95_ml: float
-    area_before_mm2: float
-    #: NaN for surfaces not in correspondence
-    area_after_mm2: float
-
-
-class ZoneDistance(_Record):
-    """Distances of one zone, mm, weighted with area."""
-    _name = "mien_zone_distance"
-    #: along the normal of the before face; positive: outside
-    mean_signed_mm: float
-    sd_signed_mm: float
-    #: of the signed ones
-    mean_absolute_mm: float
-    #: of the lengths
-    rms_mm: float
-    mean_length_mm: float
-    median_length_mm: float
-    p95_length_mm: float
-    max_length_mm: float
-    #: vertices that had a partner
-    vertex_count: int
-
-
-class ZoneAlignment(_Record):
-    """A rigid alignment on a stable zone and how sure it is."""
-    _name = "mien_zone_alignment"
-    #: that counted
-    pairs: int
-    #: left over along the normals
-    rms_mm: float
-    #: about the centre, root mean square over the axes
-    rotation_sd_rad: float
-    #: per axis, root mean square
-    translation_sd_mm: float
-    #: of the zone on the target
-    centre: numpy.ndarray
-    #: 4 x 4 row by row, moving to target
-    matrix: numpy.ndarray
+    #: absolute volumes to the neutral face are measured in these, too; null: none. Since 0.2
+    volume_zones: Sequence[Zone] | None
 
 
 class NetworkOptions(_Options):
@@ -973,6 +1123,8 @@ class ScoreOptions(_Options):
     #: 1 (default): vertices count by how far they move with the score, found anew in each fold; 0: by their area
     #: alone
     focus: int
+    #: MIEN_SCORE_FEATURES_*; default displacement and curvature. Since 0.2
+    features: ScoreFeatures | int
 
 
 class ScorePrediction(_Record):
@@ -1145,22 +1297,6 @@ class VisitsOptions(_Options):
     weights: ArrayLike
 
 
-class SpectralSplit(NamedTuple):
-    #: may be left out; the low band's mesh.
-    low: Mesh
-    #: may be left out; the high band's mesh.
-    high: Mesh
-
-
-class SurfaceTransferPoints(NamedTuple):
-    #: triangle (cloud: vertex) numbers of `surface`.
-    triangles: numpy.ndarray
-    #: rows of 3 values.
-    barycentric: numpy.ndarray
-    #: rows of 3 values in mm; a lost place keeps where it was.
-    positions: numpy.ndarray
-
-
 class MeasureLengths(NamedTuple):
     #: pair_count values.
     straight_mm: numpy.ndarray
@@ -1180,6 +1316,22 @@ class MeasureAlign(NamedTuple):
     info: ZoneAlignment
     #: the moved mesh.
     out: Mesh
+
+
+class SpectralSplit(NamedTuple):
+    #: may be left out; the low band's mesh.
+    low: Mesh
+    #: may be left out; the high band's mesh.
+    high: Mesh
+
+
+class SurfaceTransferPoints(NamedTuple):
+    #: triangle (cloud: vertex) numbers of `surface`.
+    triangles: numpy.ndarray
+    #: rows of 3 values.
+    barycentric: numpy.ndarray
+    #: rows of 3 values in mm; a lost place keeps where it was.
+    positions: numpy.ndarray
 
 
 class MeshCounts(NamedTuple):
@@ -1214,13 +1366,6 @@ class MeshImageSize(NamedTuple):
     height: int
 
 
-class SpectralBasisCounts(NamedTuple):
-    #: may be left out; #V.
-    vertex_count: int
-    #: may be left out; k.
-    mode_count: int
-
-
 class ModelCounts(NamedTuple):
     #: may be left out; #V.
     vertex_count: int
@@ -1244,6 +1389,27 @@ class LandmarksMark(NamedTuple):
     position: float
     #: may be left out; 0 unless it is a vertex.
     vertex: int
+
+
+class AnthropometryCounts(NamedTuple):
+    #: may be left out.
+    count: int
+    #: may be left out.
+    known_count: int
+
+
+class MeasurementZones(NamedTuple):
+    #: may be left out; the number of zones given.
+    zone_count: int
+    #: may be left out; 1 when no vertex lies in two zones: zones and rest then add up.
+    zones_disjoint: int
+
+
+class SpectralBasisCounts(NamedTuple):
+    #: may be left out; #V.
+    vertex_count: int
+    #: may be left out; k.
+    mode_count: int
 
 
 class RegistrationCorrespondence(NamedTuple):
@@ -1276,13 +1442,6 @@ class NeutralizationCoordinates(NamedTuple):
     identity: numpy.ndarray
     #: expression_modes values.
     expression: numpy.ndarray
-
-
-class MeasurementZones(NamedTuple):
-    #: may be left out; the number of zones given.
-    zone_count: int
-    #: may be left out; 1 when no vertex lies in two zones: zones and rest then add up.
-    zones_disjoint: int
 
 
 class NetworkCounts(NamedTuple):
@@ -1338,6 +1497,157 @@ class Session(_Object):
     def __init__(self, options: SessionOptions | None = None) -> None:
         """Makes a session with default options: one thread, no memory budget, silent. With options: those."""
         self._take((_run("mien_session_create_with_options", {"options": options}) if options is not None else _run("mien_session_create", {}))[0])
+
+    def measure_anthropometry(self, face: Mesh, landmarks: Landmarks, options: AnthropometryOptions | None = None, progress: Progress | None = None, cancel: Cancel | None = None) -> Anthropometry:
+        """Lengths, lengths along the skin, angles, inclinations and proportions between the landmarks of a face: some
+        hundred of the field's, always in the same order. Landmarks go by the field's names ("pronasale",
+        "cheilion_left") or abbreviations ("prn", "ch_left"), or by those of the 68-point scheme that truly coincide
+        with one of the field (jaw_08 is gnathion; nose_base_0 is no alare). A measurement whose landmarks are
+        missing is NaN with a reason.
+        face: #V x 3, mm, with triangles.
+        landmarks: vertices of the face, or places on it in its frame (a measurement with a place has no
+        deviation, and no length along the skin).
+        options: may be left out: no deviations, no norms.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH
+        (landmarks, deviations), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED.
+        C: mien_measure_anthropometry()
+        """
+        return _run("mien_measure_anthropometry", {"face": face, "landmarks": landmarks, "options": options, "session": self}, progress=progress, cancel=cancel)[0]
+
+    def measure_volume(self, before: Mesh, after: Mesh, options: MeasureOptions | None = None, progress: Progress | None = None, cancel: Cancel | None = None) -> Measurement:
+        """The volume between two faces in correspondence: signed, positive, negative and absolute, whole and per zone,
+        exact where the faces cross inside a triangle pair. A zone's edge runs linearly through the ring of
+        triangles it shares; disjoint zones and the rest add up to the whole.
+        before: #V x 3, mm, with triangles counter-clockwise seen from outside.
+        after: same vertex count, in the frame of before; its triangles are not read.
+        options: may be left out: the whole face, no uncertainty.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (no triangles),
+        MIEN_E_MISMATCH (vertex counts, zones, deviations), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY,
+        MIEN_E_CANCELLED.
+        C: mien_measure_volume()
+        """
+        return _run("mien_measure_volume", {"before": before, "after": after, "options": options, "session": self}, progress=progress, cancel=cancel)[0]
+
+    def measure_distance(self, before: Mesh, after: Mesh, options: MeasureOptions | None = None, progress: Progress | None = None, cancel: Cancel | None = None) -> Measurement:
+        """Distances between two faces in correspondence, per vertex and per zone.
+        before: #V x 3, mm.
+        after: same vertex count, in the frame of before.
+        options: may be left out; zones, progress and cancel are read.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH,
+        MIEN_E_NO_MEMORY, MIEN_E_CANCELLED.
+        C: mien_measure_distance()
+        """
+        return _run("mien_measure_distance", {"before": before, "after": after, "options": options, "session": self}, progress=progress, cancel=cancel)[0]
+
+    def measure_surface_distance(self, before: Mesh, after: Mesh, options: MeasureOptions | None = None, progress: Progress | None = None, cancel: Cancel | None = None) -> Measurement:
+        """Distances from the vertices of one surface to the closest place on another, in any topology; the Hausdorff
+        distance takes both directions.
+        before: #V x 3, mm, with triangles.
+        after: a surface or a cloud of points, aligned with before.
+        options: may be left out; zones (of before), max_distance_mm, skip_borders, progress, cancel.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH,
+        MIEN_E_NO_MEMORY, MIEN_E_CANCELLED.
+        C: mien_measure_surface_distance()
+        """
+        return _run("mien_measure_surface_distance", {"before": before, "after": after, "options": options, "session": self}, progress=progress, cancel=cancel)[0]
+
+    def measure_closed_volume(self, mesh: Mesh, close_rims: int) -> float:
+        """The volume that a mesh encloses, by the divergence theorem about its centroid.
+        mesh: manifold along its edges and consistently oriented.
+        close_rims: 1: each open rim is closed by a fan from the mean of its vertices; 0: an open mesh is an
+        error.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (close_rims),
+        MIEN_E_INVALID_MESH (open, not manifold or not oriented: the message counts the edges),
+        MIEN_E_NO_MEMORY.
+        C: mien_measure_closed_volume()
+        """
+        return _run("mien_measure_closed_volume", {"mesh": mesh, "close_rims": close_rims, "session": self})[0]
+
+    def measure_area(self, mesh: Mesh, zone: Zone | None = None) -> float:
+        """The area of a surface, or of a zone of it (a triangle's area is shared by its three vertices).
+        mesh: with triangles.
+        zone: may be left out: the whole surface.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH (zone),
+        MIEN_E_NO_MEMORY.
+        C: mien_measure_area()
+        """
+        return _run("mien_measure_area", {"mesh": mesh, "zone": zone, "session": self})[0]
+
+    def measure_curvature(self, mesh: Mesh, radius_mm: float, robust: int, options: MeasureOptions | None = None, progress: Progress | None = None, cancel: Cancel | None = None) -> Measurement:
+        """Curvatures of a surface, per vertex and per zone, by fits of a cubic around each vertex.
+        mesh: #V x 3, mm, with triangles counter-clockwise seen from outside.
+        radius_mm: > 0; of the fits: what is smaller is smoothed away. 6 suits fitted faces.
+        robust: 1: a second fit leaves spikes and lashes out; 0: none.
+        options: may be left out; zones, progress and cancel are read.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (robust),
+        MIEN_E_INVALID_MESH, MIEN_E_MISMATCH (zones), MIEN_E_NO_MEMORY, MIEN_E_CANCELLED.
+        C: mien_measure_curvature()
+        """
+        return _run("mien_measure_curvature", {"mesh": mesh, "radius_mm": radius_mm, "robust": robust, "options": options, "session": self}, progress=progress, cancel=cancel)[0]
+
+    def measure_lengths(self, mesh: Mesh, pairs: ArrayLike) -> MeasureLengths:
+        """Straight lengths and lengths along the surface between pairs of vertices.
+        mesh: #V x 3, mm, with triangles.
+        pairs: pair_count x 2 vertex numbers.
+        straight_mm: pair_count values.
+        geodesic_mm: pair_count values; by the heat method, within about one percent; infinite where no surface
+        joins the two.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH
+        (vertex), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY.
+        C: mien_measure_lengths()
+        """
+        return MeasureLengths(*_run("mien_measure_lengths", {"mesh": mesh, "pairs": pairs, "session": self}))
+
+    def measure_scan_volume(self, before: Mesh, after: Mesh, carry: Carry | int, direction: ArrayLike | None = None, options: MeasureOptions | None = None, progress: Progress | None = None, cancel: Cancel | None = None) -> MeasureScanVolume:
+        """The volume between two surfaces that are not in correspondence, scan to scan: each vertex of before is
+        carried onto after, then the swept volume is measured. Triangles without a partner do not count.
+        before: #V x 3, mm, with triangles.
+        after: another surface with triangles, aligned with before.
+        carry: MIEN_CARRY_*.
+        direction: 3 numbers, any length but zero; may be left out unless carry is MIEN_CARRY_DIRECTION.
+        options: may be left out; zones (of before), max_distance_mm (0: 20), limit_of_detection_ml, progress,
+        cancel. Deviations are not read.
+        coverage: may be left out; share of before's area that had a partner, 0 to 1.
+        out: the measurement.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH,
+        MIEN_E_NO_SOLUTION (nothing within reach), MIEN_E_NO_MEMORY, MIEN_E_CANCELLED.
+        C: mien_measure_scan_volume()
+        """
+        return MeasureScanVolume(*_run("mien_measure_scan_volume", {"before": before, "after": after, "carry": carry, "direction": direction, "options": options, "session": self}, progress=progress, cancel=cancel))
+
+    def measure_align(self, moving: Mesh, target: Mesh, stable: Zone | None = None) -> MeasureAlign:
+        """Moves one face rigidly onto another by a zone that has not changed (forehead, nose bridge), robustly: by
+        correspondence first, then by closest points, because a fit slides along a scan more than it lifts off.
+        Surfaces with other triangles (two scans) are brought together by closest points alone and must lie within
+        15 mm of each other there. The deviations feed alignment_rotation_sd_rad, alignment_translation_sd_mm and
+        alignment_centre.
+        moving: #V x 3, mm, with triangles.
+        target: with triangles.
+        stable: may be left out: all vertices. Vertices of target.
+        info: may be left out
+        out: the moved mesh.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH,
+        MIEN_E_NO_SOLUTION (zone too small or straight), MIEN_E_NO_MEMORY.
+        C: mien_measure_align()
+        """
+        return MeasureAlign(*_run("mien_measure_align", {"moving": moving, "target": target, "stable": stable, "session": self}))
+
+    def measure_asymmetry(self, face: Mesh, template_mesh: Mesh, options: AsymmetryOptions | None = None, progress: Progress | None = None, cancel: Cancel | None = None) -> Measurement:
+        """Compares the left side of a face with the reflection of its right side: volume and distance, signed
+        (positive: the left side lies farther out), whole and per zone, with intervals. Zones of both sides
+        ("cheek_left", "cheek_right") are one comparison ("cheek"); of a zone in the middle the left half is
+        compared with the right half. The result holds volumes, distances, and fields of all vertices (a right
+        vertex against the reflected left side).
+        face: #V x 3, mm, in the template's topology.
+        template_mesh: the template, symmetric about its plane x = 0, +x to the left (mien_model_mesh()).
+        options: may be left out: the whole side, no interval.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (plane),
+        MIEN_E_INVALID_MESH (no triangles; the template is not symmetric), MIEN_E_MISMATCH (vertex counts,
+        zones, landmarks, deviations), MIEN_E_NO_SOLUTION (no plane is determined), MIEN_E_MEMORY_BUDGET,
+        MIEN_E_NO_MEMORY, MIEN_E_CANCELLED.
+        C: mien_measure_asymmetry()
+        """
+        return _run("mien_measure_asymmetry", {"face": face, "template_mesh": template_mesh, "options": options, "session": self}, progress=progress, cancel=cancel)[0]
 
     def spectral_split(self, basis: SpectralBasis, face: Mesh, k: int) -> SpectralSplit:
         """Splits a face at mode k: the mean moved by its low, and by its high frequencies. low + high - mean is the
@@ -1497,124 +1807,6 @@ class Session(_Object):
         C: mien_evaluate_neutralization()
         """
         return _run("mien_evaluate_neutralization", {"model": model, "dataset_path": dataset_path, "options": options, "session": self}, progress=progress, cancel=cancel)[0]
-
-    def measure_volume(self, before: Mesh, after: Mesh, options: MeasureOptions | None = None, progress: Progress | None = None, cancel: Cancel | None = None) -> Measurement:
-        """The volume between two faces in correspondence: signed, positive, negative and absolute, whole and per zone,
-        exact where the faces cross inside a triangle pair. A zone's edge runs linearly through the ring of
-        triangles it shares; disjoint zones and the rest add up to the whole.
-        before: #V x 3, mm, with triangles counter-clockwise seen from outside.
-        after: same vertex count, in the frame of before; its triangles are not read.
-        options: may be left out: the whole face, no uncertainty.
-        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (no triangles),
-        MIEN_E_MISMATCH (vertex counts, zones, deviations), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY,
-        MIEN_E_CANCELLED.
-        C: mien_measure_volume()
-        """
-        return _run("mien_measure_volume", {"before": before, "after": after, "options": options, "session": self}, progress=progress, cancel=cancel)[0]
-
-    def measure_distance(self, before: Mesh, after: Mesh, options: MeasureOptions | None = None, progress: Progress | None = None, cancel: Cancel | None = None) -> Measurement:
-        """Distances between two faces in correspondence, per vertex and per zone.
-        before: #V x 3, mm.
-        after: same vertex count, in the frame of before.
-        options: may be left out; zones, progress and cancel are read.
-        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH,
-        MIEN_E_NO_MEMORY, MIEN_E_CANCELLED.
-        C: mien_measure_distance()
-        """
-        return _run("mien_measure_distance", {"before": before, "after": after, "options": options, "session": self}, progress=progress, cancel=cancel)[0]
-
-    def measure_surface_distance(self, before: Mesh, after: Mesh, options: MeasureOptions | None = None, progress: Progress | None = None, cancel: Cancel | None = None) -> Measurement:
-        """Distances from the vertices of one surface to the closest place on another, in any topology; the Hausdorff
-        distance takes both directions.
-        before: #V x 3, mm, with triangles.
-        after: a surface or a cloud of points, aligned with before.
-        options: may be left out; zones (of before), max_distance_mm, skip_borders, progress, cancel.
-        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH,
-        MIEN_E_NO_MEMORY, MIEN_E_CANCELLED.
-        C: mien_measure_surface_distance()
-        """
-        return _run("mien_measure_surface_distance", {"before": before, "after": after, "options": options, "session": self}, progress=progress, cancel=cancel)[0]
-
-    def measure_closed_volume(self, mesh: Mesh, close_rims: int) -> float:
-        """The volume that a mesh encloses, by the divergence theorem about its centroid.
-        mesh: manifold along its edges and consistently oriented.
-        close_rims: 1: each open rim is closed by a fan from the mean of its vertices; 0: an open mesh is an
-        error.
-        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (close_rims),
-        MIEN_E_INVALID_MESH (open, not manifold or not oriented: the message counts the edges),
-        MIEN_E_NO_MEMORY.
-        C: mien_measure_closed_volume()
-        """
-        return _run("mien_measure_closed_volume", {"mesh": mesh, "close_rims": close_rims, "session": self})[0]
-
-    def measure_area(self, mesh: Mesh, zone: Zone | None = None) -> float:
-        """The area of a surface, or of a zone of it (a triangle's area is shared by its three vertices).
-        mesh: with triangles.
-        zone: may be left out: the whole surface.
-        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH (zone),
-        MIEN_E_NO_MEMORY.
-        C: mien_measure_area()
-        """
-        return _run("mien_measure_area", {"mesh": mesh, "zone": zone, "session": self})[0]
-
-    def measure_curvature(self, mesh: Mesh, radius_mm: float, robust: int, options: MeasureOptions | None = None, progress: Progress | None = None, cancel: Cancel | None = None) -> Measurement:
-        """Curvatures of a surface, per vertex and per zone, by fits of a cubic around each vertex.
-        mesh: #V x 3, mm, with triangles counter-clockwise seen from outside.
-        radius_mm: > 0; of the fits: what is smaller is smoothed away. 6 suits fitted faces.
-        robust: 1: a second fit leaves spikes and lashes out; 0: none.
-        options: may be left out; zones, progress and cancel are read.
-        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (robust),
-        MIEN_E_INVALID_MESH, MIEN_E_MISMATCH (zones), MIEN_E_NO_MEMORY, MIEN_E_CANCELLED.
-        C: mien_measure_curvature()
-        """
-        return _run("mien_measure_curvature", {"mesh": mesh, "radius_mm": radius_mm, "robust": robust, "options": options, "session": self}, progress=progress, cancel=cancel)[0]
-
-    def measure_lengths(self, mesh: Mesh, pairs: ArrayLike) -> MeasureLengths:
-        """Straight lengths and lengths along the surface between pairs of vertices.
-        mesh: #V x 3, mm, with triangles.
-        pairs: pair_count x 2 vertex numbers.
-        straight_mm: pair_count values.
-        geodesic_mm: pair_count values; by the heat method, within about one percent; infinite where no surface
-        joins the two.
-        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH
-        (vertex), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY.
-        C: mien_measure_lengths()
-        """
-        return MeasureLengths(*_run("mien_measure_lengths", {"mesh": mesh, "pairs": pairs, "session": self}))
-
-    def measure_scan_volume(self, before: Mesh, after: Mesh, carry: Carry | int, direction: ArrayLike | None = None, options: MeasureOptions | None = None, progress: Progress | None = None, cancel: Cancel | None = None) -> MeasureScanVolume:
-        """The volume between two surfaces that are not in correspondence, scan to scan: each vertex of before is
-        carried onto after, then the swept volume is measured. Triangles without a partner do not count.
-        before: #V x 3, mm, with triangles.
-        after: another surface with triangles, aligned with before.
-        carry: MIEN_CARRY_*.
-        direction: 3 numbers, any length but zero; may be left out unless carry is MIEN_CARRY_DIRECTION.
-        options: may be left out; zones (of before), max_distance_mm (0: 20), limit_of_detection_ml, progress,
-        cancel. Deviations are not read.
-        coverage: may be left out; share of before's area that had a partner, 0 to 1.
-        out: the measurement.
-        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH,
-        MIEN_E_NO_SOLUTION (nothing within reach), MIEN_E_NO_MEMORY, MIEN_E_CANCELLED.
-        C: mien_measure_scan_volume()
-        """
-        return MeasureScanVolume(*_run("mien_measure_scan_volume", {"before": before, "after": after, "carry": carry, "direction": direction, "options": options, "session": self}, progress=progress, cancel=cancel))
-
-    def measure_align(self, moving: Mesh, target: Mesh, stable: Zone | None = None) -> MeasureAlign:
-        """Moves one face rigidly onto another by a zone that has not changed (forehead, nose bridge), robustly: by
-        correspondence first, then by closest points, because a fit slides along a scan more than it lifts off.
-        Surfaces with other triangles (two scans) are brought together by closest points alone and must lie within
-        15 mm of each other there. The deviations feed alignment_rotation_sd_rad, alignment_translation_sd_mm and
-        alignment_centre.
-        moving: #V x 3, mm, with triangles.
-        target: with triangles.
-        stable: may be left out: all vertices. Vertices of target.
-        info: may be left out
-        out: the moved mesh.
-        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH,
-        MIEN_E_NO_SOLUTION (zone too small or straight), MIEN_E_NO_MEMORY.
-        C: mien_measure_align()
-        """
-        return MeasureAlign(*_run("mien_measure_align", {"moving": moving, "target": target, "stable": stable, "session": self}))
 
     def statistics_agreement(self, ratings: ArrayLike, rater_count: int, grade_count: int) -> str:
         """How far raters (or one rater's sessions) agree, as JSON: confusion matrices, percent agreement, Cohen's
@@ -1999,163 +2191,6 @@ class Mesh(_Object):
         _run("mien_mesh_check_same_unit", {"second": second, "first": self})
 
 
-class SpectralBasis(_Object):
-    """The first Laplace-Beltrami eigenvectors of a mean shape. Immutable: share freely."""
-    _release = "mien_spectral_basis_release"
-    _retain = "mien_spectral_basis_retain"
-
-    def share(self) -> SpectralBasis:
-        """One more object for the same native one: each may be closed by itself."""
-        return self._share()
-
-    @staticmethod
-    def build(session: Session, mean: Mesh, options: SpectralBasisOptions | None = None, progress: Progress | None = None, cancel: Cancel | None = None) -> SpectralBasis:
-        """Computes the first eigenpairs of the mean shape's Laplacian by spectrum slicing; inertia counts prove that
-        none is missing.
-        mean: the mean shape, mm. Any triangle mesh.
-        options: may be left out: 500 modes, mixed Voronoi mass, intrinsic Delaunay.
-        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (mode_count), MIEN_E_UNSUPPORTED_OPTION,
-        MIEN_E_INVALID_MESH, MIEN_E_NO_SOLUTION, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED.
-        C: mien_spectral_basis_build()
-        """
-        return _run("mien_spectral_basis_build", {"session": session, "mean": mean, "options": options}, progress=progress, cancel=cancel)[0]
-
-    @staticmethod
-    def load(session: Session, path: Text) -> SpectralBasis:
-        """Opens a basis file; the vectors stay in the mapped file.
-        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT,
-        MIEN_E_WRONG_KIND, MIEN_E_UNSUPPORTED_VERSION, MIEN_E_NO_MEMORY.
-        C: mien_spectral_basis_load()
-        """
-        return _run("mien_spectral_basis_load", {"session": session, "path": path})[0]
-
-    def save(self, session: Session, path: Text) -> None:
-        """Writes a basis file (safetensors). Atomic.
-        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_NO_MEMORY.
-        C: mien_spectral_basis_save()
-        """
-        _run("mien_spectral_basis_save", {"session": session, "path": path, "basis": self})
-
-    def counts(self) -> SpectralBasisCounts:
-        """Numbers of vertices and modes.
-        vertex_count: may be left out; #V.
-        mode_count: may be left out; k.
-        C: mien_spectral_basis_get_counts()
-        """
-        return SpectralBasisCounts(*_run("mien_spectral_basis_get_counts", {"basis": self}))
-
-    def eigenvalues(self) -> numpy.ndarray:
-        """Copies the eigenvalues, ascending, 1/mm^2. With dst null and capacity 0: writes the count only.
-        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT.
-        C: mien_spectral_basis_get_eigenvalues()
-        """
-        return _run("mien_spectral_basis_get_eigenvalues", {"basis": self})[0]
-
-
-class BlendshapeModel(_Object):
-    """Predicts one expression of a person from the neutral face. Immutable: share freely."""
-    _release = "mien_blendshape_model_release"
-    _retain = "mien_blendshape_model_retain"
-
-    def share(self) -> BlendshapeModel:
-        """One more object for the same native one: each may be closed by itself."""
-        return self._share()
-
-    @staticmethod
-    def train(session: Session, dataset_path: Text, expression: Text, options: BlendshapeOptions | None = None, progress: Progress | None = None, cancel: Cancel | None = None) -> BlendshapeModel:
-        """Learns to predict one expression from the neutral face, on every subject of a dataset that has both.
-        dataset_path: a dataset file whose names include "neutral".
-        expression: a name of the dataset.
-        options: may be left out.
-        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (fewer than 2 subjects, ridge),
-        MIEN_E_NOT_FOUND (expression), MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_NO_SOLUTION,
-        MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED.
-        C: mien_blendshape_model_train()
-        """
-        return _run("mien_blendshape_model_train", {"session": session, "dataset_path": dataset_path, "expression": expression, "options": options}, progress=progress, cancel=cancel)[0]
-
-    @staticmethod
-    def load(session: Session, path: Text) -> BlendshapeModel:
-        """Opens a blendshape model file.
-        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT,
-        MIEN_E_WRONG_KIND, MIEN_E_UNSUPPORTED_VERSION, MIEN_E_NO_MEMORY.
-        C: mien_blendshape_model_load()
-        """
-        return _run("mien_blendshape_model_load", {"session": session, "path": path})[0]
-
-    def save(self, session: Session, path: Text) -> None:
-        """Writes a blendshape model file (safetensors). Atomic.
-        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_NO_MEMORY.
-        C: mien_blendshape_model_save()
-        """
-        _run("mien_blendshape_model_save", {"session": session, "path": path, "model": self})
-
-    def mean(self) -> Mesh:
-        """The mean of the neutral training faces, centred: the mesh that a basis for this model is built on.
-        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_NO_MEMORY.
-        C: mien_blendshape_model_get_mean()
-        """
-        return _run("mien_blendshape_model_get_mean", {"model": self})[0]
-
-    def predict(self, session: Session, k: int, neutral: Mesh, basis: SpectralBasis | None = None) -> Mesh:
-        """A person's expression from the neutral face, in its frame.
-        basis: may be left out: then k = 0 gives the deformations' prediction, any other k the coordinates'.
-        k: low frequencies from the coordinates' prediction, high ones from the deformations'; 0 to the basis'
-        modes, #V or more: coordinates alone.
-        neutral: #V vertices, mm.
-        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (k), MIEN_E_MISMATCH (vertex counts),
-        MIEN_E_NO_SOLUTION, MIEN_E_NO_MEMORY.
-        C: mien_blendshape_model_predict()
-        """
-        return _run("mien_blendshape_model_predict", {"session": session, "k": k, "neutral": neutral, "basis": basis, "model": self})[0]
-
-    def search(self, session: Session, basis: SpectralBasis, dataset_path: Text, expression: Text, candidates: ArrayLike, options: BlendshapeOptions | None = None, progress: Progress | None = None, cancel: Cancel | None = None) -> list[BandChoice]:
-        """Tries values of k on a dataset's subjects that the model was not trained on.
-        dataset_path: subjects with a neutral face and the expression.
-        candidates: candidate_count values of k; above the basis' modes: coordinates alone.
-        options: may be left out; its ridge is not read.
-        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NOT_FOUND (expression),
-        MIEN_E_MISMATCH, MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED.
-        C: mien_blendshape_model_search()
-        """
-        return _run("mien_blendshape_model_search", {"session": session, "basis": basis, "dataset_path": dataset_path, "expression": expression, "candidates": candidates, "options": options, "model": self}, progress=progress, cancel=cancel)[0]
-
-
-class DatasetWriter(_Object):
-    """Collects faces with a subject and an expression each, then saves them as one safetensors file: vertices f32
-    [s, n, 3], subject i32 [s], expression i32 [s], triangles u32 [m, 3]. Externally synchronized.
-    """
-    _release = "mien_dataset_writer_release"
-
-    @staticmethod
-    def create(session: Session, topology: Mesh, expression_names: Sequence[str]) -> DatasetWriter:
-        """Starts a dataset in the topology of a mesh.
-        topology: its triangles and vertex count hold for all faces.
-        expression_names: expression_count UTF-8 names. One should be "neutral".
-        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NO_MEMORY.
-        C: mien_dataset_writer_create()
-        """
-        return _run("mien_dataset_writer_create", {"session": session, "topology": topology, "expression_names": expression_names})[0]
-
-    def add(self, positions: ArrayLike, subject: int, expression: int) -> None:
-        """Adds one face; its positions are copied.
-        positions: #V x 3, F32 or F64, mm.
-        subject: any number that names the person.
-        expression: index into the expression names.
-        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MISMATCH (vertex count),
-        MIEN_E_INVALID_MESH (not finite), MIEN_E_NO_MEMORY.
-        C: mien_dataset_writer_add()
-        """
-        _run("mien_dataset_writer_add", {"positions": positions, "subject": subject, "expression": expression, "writer": self})
-
-    def save(self, session: Session, path: Text) -> None:
-        """Writes all faces added so far. Atomic; more may be added and saved again.
-        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (no face), MIEN_E_IO, MIEN_E_NO_MEMORY.
-        C: mien_dataset_writer_save()
-        """
-        _run("mien_dataset_writer_save", {"session": session, "path": path, "writer": self})
-
-
 class Model(_Object):
     """A template with its modes of deformation: u(x) = mean(x) + sum_j basis_j(x) a_j + sum_k mode_k(x) c_k, a and
     c standard normal; basis_j are scalar and serve x, y and z, mode_k come from faces. Built or loaded once.
@@ -2407,6 +2442,18 @@ class Landmarks(_Object):
         """
         return _run("mien_landmarks_get_json", {"landmarks": self})[0]
 
+    def add_profile(self, template_mesh: Mesh) -> Landmarks:
+        """The landmarks of a template and, beside them, those of its profile that its shape defines by itself:
+        glabella, nasion, columella, sublabiale and pogonion, where they are not among the given ones. Every face in
+        the template's topology has them at the same vertices.
+        template_mesh: symmetric about its plane x = 0, +y up, +z forward (mien_model_mesh()).
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NOT_FOUND (a landmark that the search
+        starts from), MIEN_E_MISMATCH (vertex), MIEN_E_INVALID_MESH (not symmetric, no midline),
+        MIEN_E_NO_MEMORY.
+        C: mien_landmarks_add_profile()
+        """
+        return _run("mien_landmarks_add_profile", {"template_mesh": template_mesh, "landmarks": self})[0]
+
 
 class Zones(_Object):
     """A list of named sets of vertices. Immutable: share freely."""
@@ -2466,6 +2513,304 @@ class Zones(_Object):
         C: mien_zones_get_vertices()
         """
         return _run("mien_zones_get_vertices", {"index": index, "zones": self})[0]
+
+
+class Anthropometry(_Object):
+    """The measurements of one face. Immutable: share freely."""
+    _release = "mien_anthropometry_release"
+
+    def counts(self) -> AnthropometryCounts:
+        """How many measurements there are, and how many of them have a value.
+        count: may be left out.
+        known_count: may be left out.
+        C: mien_anthropometry_get_counts()
+        """
+        return AnthropometryCounts(*_run("mien_anthropometry_get_counts", {"anthropometry": self}))
+
+    def name(self, index: int) -> str:
+        """The name of one measurement, such as "n-gn".
+        index: below the count.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NOT_FOUND (index).
+        C: mien_anthropometry_get_name()
+        """
+        return _run("mien_anthropometry_get_name", {"index": index, "anthropometry": self})[0]
+
+    def value(self, index: int) -> AnthropometricValue:
+        """One measurement.
+        index: below the count.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NOT_FOUND (index).
+        C: mien_anthropometry_get_value()
+        """
+        return _run("mien_anthropometry_get_value", {"index": index, "anthropometry": self})[0]
+
+    def reason(self, index: int) -> str:
+        """Why one measurement has no value, in words; empty where it has one.
+        index: below the count.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NOT_FOUND (index).
+        C: mien_anthropometry_get_reason()
+        """
+        return _run("mien_anthropometry_get_reason", {"index": index, "anthropometry": self})[0]
+
+    def json(self) -> str:
+        """All measurements as JSON text: name, title, kind, unit, landmarks, source, value, sd, reason, z; and which
+        of the face's landmarks stand for those of the field.
+        Fails with MIEN_E_INVALID_HANDLE.
+        C: mien_anthropometry_get_json()
+        """
+        return _run("mien_anthropometry_get_json", {"anthropometry": self})[0]
+
+
+class Norms(_Object):
+    """Mean and deviation of each measurement over the people of a dataset. Immutable: share freely."""
+    _release = "mien_norms_release"
+
+    @staticmethod
+    def create(session: Session, dataset_path: Text, landmarks: Landmarks, options: AnthropometryOptions | None = None, progress: Progress | None = None, cancel: Cancel | None = None) -> Norms:
+        """Norms over the neutral faces of a dataset, one vote per person. Norms are for the population of the dataset
+        and for faces in its topology: the same landmark lies elsewhere on another template.
+        dataset_path: faces of ten people or more.
+        landmarks: vertices of the dataset's faces.
+        options: may be left out; progress and cancel are read.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (fewer than ten people, landmarks that are no
+        vertices), MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_NOT_FOUND (no neutral faces, no measurement has its
+        landmarks), MIEN_E_MISMATCH (landmarks), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED.
+        C: mien_norms_create()
+        """
+        return _run("mien_norms_create", {"session": session, "dataset_path": dataset_path, "landmarks": landmarks, "options": options}, progress=progress, cancel=cancel)[0]
+
+    @staticmethod
+    def load(session: Session, path: Text) -> Norms:
+        """Reads norms that mien_norms_save() wrote, or that a host wrote from the literature: {"norms": {"n-gn":
+        {"mean": 121.3, "sd": 6.8, "people": 109}}}.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (a norm of fewer than ten people, or given
+        twice), MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY.
+        C: mien_norms_load()
+        """
+        return _run("mien_norms_load", {"session": session, "path": path})[0]
+
+    def save(self, session: Session, path: Text) -> None:
+        """Writes norms as JSON. Atomic.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_NO_MEMORY.
+        C: mien_norms_save()
+        """
+        _run("mien_norms_save", {"session": session, "path": path, "norms": self})
+
+    def json(self) -> str:
+        """The norms as JSON text, as mien_norms_save() writes it.
+        Fails with MIEN_E_INVALID_HANDLE.
+        C: mien_norms_get_json()
+        """
+        return _run("mien_norms_get_json", {"norms": self})[0]
+
+
+class Measurement(_Object):
+    """What was measured: numbers per zone and values per vertex. Immutable: share freely."""
+    _release = "mien_measurement_release"
+
+    def zones(self) -> MeasurementZones:
+        """How many zones were measured.
+        zone_count: may be left out; the number of zones given.
+        zones_disjoint: may be left out; 1 when no vertex lies in two zones: zones and rest then add up.
+        C: mien_measurement_get_zones()
+        """
+        return MeasurementZones(*_run("mien_measurement_get_zones", {"measurement": self}))
+
+    def volume(self, zone: int) -> ZoneVolume:
+        """The volume of a zone.
+        zone: 0 .. zone_count - 1, MIEN_ZONE_WHOLE or MIEN_ZONE_REST.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NOT_FOUND (no such zone, no volume in
+        it).
+        C: mien_measurement_get_volume()
+        """
+        return _run("mien_measurement_get_volume", {"zone": zone, "measurement": self})[0]
+
+    def distance(self, zone: int) -> ZoneDistance:
+        """The distances of a zone.
+        zone: 0 .. zone_count - 1 or MIEN_ZONE_WHOLE.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NOT_FOUND (no such zone, no distance
+        in it).
+        C: mien_measurement_get_distance()
+        """
+        return _run("mien_measurement_get_distance", {"zone": zone, "measurement": self})[0]
+
+    def field(self, field: Field | int) -> numpy.ndarray:
+        """Copies a field with one float64 per vertex of the before face; NaN where there was no partner.
+        field: MIEN_FIELD_*.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_NOT_FOUND (this measurement has no such field).
+        C: mien_measurement_get_field()
+        """
+        return _run("mien_measurement_get_field", {"field": field, "measurement": self})[0]
+
+    def json(self) -> str:
+        """The whole measurement as JSON text.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_NO_MEMORY.
+        C: mien_measurement_get_json()
+        """
+        return _run("mien_measurement_get_json", {"measurement": self})[0]
+
+    def mirror_plane(self) -> MirrorPlane:
+        """The mirror plane of a comparison of left and right.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NOT_FOUND (another measurement).
+        C: mien_measurement_get_mirror_plane()
+        """
+        return _run("mien_measurement_get_mirror_plane", {"measurement": self})[0]
+
+
+class SpectralBasis(_Object):
+    """The first Laplace-Beltrami eigenvectors of a mean shape. Immutable: share freely."""
+    _release = "mien_spectral_basis_release"
+    _retain = "mien_spectral_basis_retain"
+
+    def share(self) -> SpectralBasis:
+        """One more object for the same native one: each may be closed by itself."""
+        return self._share()
+
+    @staticmethod
+    def build(session: Session, mean: Mesh, options: SpectralBasisOptions | None = None, progress: Progress | None = None, cancel: Cancel | None = None) -> SpectralBasis:
+        """Computes the first eigenpairs of the mean shape's Laplacian by spectrum slicing; inertia counts prove that
+        none is missing.
+        mean: the mean shape, mm. Any triangle mesh.
+        options: may be left out: 500 modes, mixed Voronoi mass, intrinsic Delaunay.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (mode_count), MIEN_E_UNSUPPORTED_OPTION,
+        MIEN_E_INVALID_MESH, MIEN_E_NO_SOLUTION, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED.
+        C: mien_spectral_basis_build()
+        """
+        return _run("mien_spectral_basis_build", {"session": session, "mean": mean, "options": options}, progress=progress, cancel=cancel)[0]
+
+    @staticmethod
+    def load(session: Session, path: Text) -> SpectralBasis:
+        """Opens a basis file; the vectors stay in the mapped file.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT,
+        MIEN_E_WRONG_KIND, MIEN_E_UNSUPPORTED_VERSION, MIEN_E_NO_MEMORY.
+        C: mien_spectral_basis_load()
+        """
+        return _run("mien_spectral_basis_load", {"session": session, "path": path})[0]
+
+    def save(self, session: Session, path: Text) -> None:
+        """Writes a basis file (safetensors). Atomic.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_NO_MEMORY.
+        C: mien_spectral_basis_save()
+        """
+        _run("mien_spectral_basis_save", {"session": session, "path": path, "basis": self})
+
+    def counts(self) -> SpectralBasisCounts:
+        """Numbers of vertices and modes.
+        vertex_count: may be left out; #V.
+        mode_count: may be left out; k.
+        C: mien_spectral_basis_get_counts()
+        """
+        return SpectralBasisCounts(*_run("mien_spectral_basis_get_counts", {"basis": self}))
+
+    def eigenvalues(self) -> numpy.ndarray:
+        """Copies the eigenvalues, ascending, 1/mm^2. With dst null and capacity 0: writes the count only.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT.
+        C: mien_spectral_basis_get_eigenvalues()
+        """
+        return _run("mien_spectral_basis_get_eigenvalues", {"basis": self})[0]
+
+
+class BlendshapeModel(_Object):
+    """Predicts one expression of a person from the neutral face. Immutable: share freely."""
+    _release = "mien_blendshape_model_release"
+    _retain = "mien_blendshape_model_retain"
+
+    def share(self) -> BlendshapeModel:
+        """One more object for the same native one: each may be closed by itself."""
+        return self._share()
+
+    @staticmethod
+    def train(session: Session, dataset_path: Text, expression: Text, options: BlendshapeOptions | None = None, progress: Progress | None = None, cancel: Cancel | None = None) -> BlendshapeModel:
+        """Learns to predict one expression from the neutral face, on every subject of a dataset that has both.
+        dataset_path: a dataset file whose names include "neutral".
+        expression: a name of the dataset.
+        options: may be left out.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (fewer than 2 subjects, ridge),
+        MIEN_E_NOT_FOUND (expression), MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_NO_SOLUTION,
+        MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED.
+        C: mien_blendshape_model_train()
+        """
+        return _run("mien_blendshape_model_train", {"session": session, "dataset_path": dataset_path, "expression": expression, "options": options}, progress=progress, cancel=cancel)[0]
+
+    @staticmethod
+    def load(session: Session, path: Text) -> BlendshapeModel:
+        """Opens a blendshape model file.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT,
+        MIEN_E_WRONG_KIND, MIEN_E_UNSUPPORTED_VERSION, MIEN_E_NO_MEMORY.
+        C: mien_blendshape_model_load()
+        """
+        return _run("mien_blendshape_model_load", {"session": session, "path": path})[0]
+
+    def save(self, session: Session, path: Text) -> None:
+        """Writes a blendshape model file (safetensors). Atomic.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_NO_MEMORY.
+        C: mien_blendshape_model_save()
+        """
+        _run("mien_blendshape_model_save", {"session": session, "path": path, "model": self})
+
+    def mean(self) -> Mesh:
+        """The mean of the neutral training faces, centred: the mesh that a basis for this model is built on.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_NO_MEMORY.
+        C: mien_blendshape_model_get_mean()
+        """
+        return _run("mien_blendshape_model_get_mean", {"model": self})[0]
+
+    def predict(self, session: Session, k: int, neutral: Mesh, basis: SpectralBasis | None = None) -> Mesh:
+        """A person's expression from the neutral face, in its frame.
+        basis: may be left out: then k = 0 gives the deformations' prediction, any other k the coordinates'.
+        k: low frequencies from the coordinates' prediction, high ones from the deformations'; 0 to the basis'
+        modes, #V or more: coordinates alone.
+        neutral: #V vertices, mm.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (k), MIEN_E_MISMATCH (vertex counts),
+        MIEN_E_NO_SOLUTION, MIEN_E_NO_MEMORY.
+        C: mien_blendshape_model_predict()
+        """
+        return _run("mien_blendshape_model_predict", {"session": session, "k": k, "neutral": neutral, "basis": basis, "model": self})[0]
+
+    def search(self, session: Session, basis: SpectralBasis, dataset_path: Text, expression: Text, candidates: ArrayLike, options: BlendshapeOptions | None = None, progress: Progress | None = None, cancel: Cancel | None = None) -> list[BandChoice]:
+        """Tries values of k on a dataset's subjects that the model was not trained on.
+        dataset_path: subjects with a neutral face and the expression.
+        candidates: candidate_count values of k; above the basis' modes: coordinates alone.
+        options: may be left out; its ridge is not read.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NOT_FOUND (expression),
+        MIEN_E_MISMATCH, MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED.
+        C: mien_blendshape_model_search()
+        """
+        return _run("mien_blendshape_model_search", {"session": session, "basis": basis, "dataset_path": dataset_path, "expression": expression, "candidates": candidates, "options": options, "model": self}, progress=progress, cancel=cancel)[0]
+
+
+class DatasetWriter(_Object):
+    """Collects faces with a subject and an expression each, then saves them as one safetensors file: vertices f32
+    [s, n, 3], subject i32 [s], expression i32 [s], triangles u32 [m, 3]. Externally synchronized.
+    """
+    _release = "mien_dataset_writer_release"
+
+    @staticmethod
+    def create(session: Session, topology: Mesh, expression_names: Sequence[str]) -> DatasetWriter:
+        """Starts a dataset in the topology of a mesh.
+        topology: its triangles and vertex count hold for all faces.
+        expression_names: expression_count UTF-8 names. One should be "neutral".
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NO_MEMORY.
+        C: mien_dataset_writer_create()
+        """
+        return _run("mien_dataset_writer_create", {"session": session, "topology": topology, "expression_names": expression_names})[0]
+
+    def add(self, positions: ArrayLike, subject: int, expression: int) -> None:
+        """Adds one face; its positions are copied.
+        positions: #V x 3, F32 or F64, mm.
+        subject: any number that names the person.
+        expression: index into the expression names.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MISMATCH (vertex count),
+        MIEN_E_INVALID_MESH (not finite), MIEN_E_NO_MEMORY.
+        C: mien_dataset_writer_add()
+        """
+        _run("mien_dataset_writer_add", {"positions": positions, "subject": subject, "expression": expression, "writer": self})
+
+    def save(self, session: Session, path: Text) -> None:
+        """Writes all faces added so far. Atomic; more may be added and saved again.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (no face), MIEN_E_IO, MIEN_E_NO_MEMORY.
+        C: mien_dataset_writer_save()
+        """
+        _run("mien_dataset_writer_save", {"session": session, "path": path, "writer": self})
 
 
 class Registration(_Object):
@@ -2717,9 +3062,19 @@ class Neutralization(_Object):
         """
         return _run("mien_neutralization_get_uncertainty", {"neutralization": self})[0]
 
+    def reading(self, reading: Reading | int) -> ZoneReading:
+        """How a treated zone is read, both ways: treatments of lips, brows and the corners of the mouth can look like
+        expressions.
+        reading: MIEN_READING_*.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (reading),
+        MIEN_E_NOT_FOUND (nothing was treated).
+        C: mien_neutralization_get_reading()
+        """
+        return _run("mien_neutralization_get_reading", {"reading": reading, "neutralization": self})[0]
+
     def json(self) -> str:
         """The report as a JSON object: expression found, its probability and the others', displacement, residual,
-        coordinates.
+        coordinates; with options.treated both readings of the zone.
         Fails with MIEN_E_INVALID_HANDLE.
         C: mien_neutralization_get_json()
         """
@@ -2743,7 +3098,8 @@ class Evaluation(_Object):
 
     def json(self) -> str:
         """The table as a JSON object: "expressions", a list, and "all" (without the neutral faces), each with faces,
-        baseline, result, against (mean_mm, sd_mm, max_vertex_mm) and the effects cohens_d, superiority.
+        baseline, result, against (mean_mm, sd_mm, max_vertex_mm) and the effects cohens_d, superiority; with
+        options.volume_zones "volumes", the same per zone (mean_ml, sd_ml, median_ml).
         Fails with MIEN_E_INVALID_HANDLE.
         C: mien_evaluation_get_json()
         """
@@ -2824,52 +3180,6 @@ class Hierarchy(_Object):
         C: mien_hierarchy_apply()
         """
         return _run("mien_hierarchy_apply", {"level": level, "direction": direction, "values": values, "channel_count": channel_count, "hierarchy": self})[0]
-
-
-class Measurement(_Object):
-    """What was measured: numbers per zone and values per vertex. Immutable: share freely."""
-    _release = "mien_measurement_release"
-
-    def zones(self) -> MeasurementZones:
-        """How many zones were measured.
-        zone_count: may be left out; the number of zones given.
-        zones_disjoint: may be left out; 1 when no vertex lies in two zones: zones and rest then add up.
-        C: mien_measurement_get_zones()
-        """
-        return MeasurementZones(*_run("mien_measurement_get_zones", {"measurement": self}))
-
-    def volume(self, zone: int) -> ZoneVolume:
-        """The volume of a zone.
-        zone: 0 .. zone_count - 1, MIEN_ZONE_WHOLE or MIEN_ZONE_REST.
-        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NOT_FOUND (no such zone, no volume in
-        it).
-        C: mien_measurement_get_volume()
-        """
-        return _run("mien_measurement_get_volume", {"zone": zone, "measurement": self})[0]
-
-    def distance(self, zone: int) -> ZoneDistance:
-        """The distances of a zone.
-        zone: 0 .. zone_count - 1 or MIEN_ZONE_WHOLE.
-        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NOT_FOUND (no such zone, no distance
-        in it).
-        C: mien_measurement_get_distance()
-        """
-        return _run("mien_measurement_get_distance", {"zone": zone, "measurement": self})[0]
-
-    def field(self, field: Field | int) -> numpy.ndarray:
-        """Copies a field with one float64 per vertex of the before face; NaN where there was no partner.
-        field: MIEN_FIELD_*.
-        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_NOT_FOUND (this measurement has no such field).
-        C: mien_measurement_get_field()
-        """
-        return _run("mien_measurement_get_field", {"field": field, "measurement": self})[0]
-
-    def json(self) -> str:
-        """The whole measurement as JSON text.
-        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_NO_MEMORY.
-        C: mien_measurement_get_json()
-        """
-        return _run("mien_measurement_get_json", {"measurement": self})[0]
 
 
 class Network(_Object):
@@ -3344,9 +3654,10 @@ def build_id() -> str:
     return _run("mien_build_id", {})
 
 
-_enums = {"STATUS": Status, "STAGE": Stage, "LOG": Log, "DTYPE": Dtype, "MASS": Mass, "COTANGENTS":
-Cotangents, "METRIC": Metric, "KERNEL": KernelKind, "HEAT": Heat, "MARK": Mark, "GROWTH": Growth, "START":
-Start, "UNITS": Units, "SIDES": Sides, "QUALITY": Quality, "REGISTRATION": RegistrationKind, "TRANSFER":
-Transfer, "FIT": Fit, "POSE": Pose, "MAP": MapKind, "ZONE": ZoneKind, "FIELD": Field, "CARRY": Carry,
-"FEATURES": Features, "PLS": Pls, "STUDY": StudyKind, "STUDY_FIELD": StudyField, "TRAIN": Train}
+_enums = {"STATUS": Status, "STAGE": Stage, "LOG": Log, "DTYPE": Dtype, "KERNEL": KernelKind, "HEAT": Heat,
+"MARK": Mark, "MEASURE": Measure, "ZONE": ZoneKind, "FIELD": Field, "CARRY": Carry, "MIRROR_BY": MirrorBy,
+"MASS": Mass, "COTANGENTS": Cotangents, "METRIC": Metric, "GROWTH": Growth, "START": Start, "UNITS": Units,
+"SIDES": Sides, "QUALITY": Quality, "REGISTRATION": RegistrationKind, "TRANSFER": Transfer, "FIT": Fit,
+"POSE": Pose, "READING": Reading, "MAP": MapKind, "FEATURES": Features, "PLS": Pls, "SCORE_FEATURES":
+ScoreFeatures, "STUDY": StudyKind, "STUDY_FIELD": StudyField, "TRAIN": Train}
 _register_classes(globals())

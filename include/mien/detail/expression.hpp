@@ -19,6 +19,11 @@ struct NeutralizeOptions : mien_neutralize_options {
     void set_weights(const std::vector<double>& values) {
         weights = {values.data(), values.size(), sizeof(double), MIEN_DTYPE_F64, 0};
     }
+    /// Where the person may have been changed; must live until the call returns.
+    void set_treated(const std::vector<std::uint32_t>& vertices) {
+        treated = vertices.data();
+        treated_count = vertices.size();
+    }
 };
 
 /// mien_evaluate_options with its defaults.
@@ -217,6 +222,13 @@ class Neutralization {
         return Mesh(mesh);
     }
     Mesh mesh() const { return Mesh::share(mien_neutralization_mesh(get())); }
+    /// MIEN_READING_*; needs NeutralizeOptions::set_treated().
+    mien_zone_reading reading(std::int32_t which) const {
+        mien_zone_reading out{};
+        out.struct_size = sizeof out;
+        detail::call(mien_neutralization_get_reading, get(), which, &out);
+        return out;
+    }
     const std::vector<double>& identity() const noexcept { return identity_; }
     const std::vector<double>& expression() const noexcept { return expression_; }
     /// One deviation per vertex, mm; needs NeutralizeOptions::uncertainty = 1.

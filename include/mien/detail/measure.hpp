@@ -35,6 +35,9 @@ struct MeasureOptions {
 /// A finished measurement; copies share it.
 class Measurement {
   public:
+    Measurement() = default;
+    /// Takes over one reference.
+    explicit Measurement(mien_measurement* owned) : handle_(owned, mien_measurement_release) {}
     static Measurement volume(const Session& session, const Mesh& before, const Mesh& after,
                               const MeasureOptions& options = {}) {
         return make(mien_measure_volume, session, before, after, options);
@@ -132,9 +135,7 @@ class Measurement {
         bridge.install(options);
         mien_measurement* measurement = nullptr;
         bridge.call(function, session.get(), before.get(), after.get(), &options, &measurement);
-        Measurement result;
-        result.handle_ = std::shared_ptr<mien_measurement>(measurement, mien_measurement_release);
-        return result;
+        return Measurement(measurement);
     }
     std::shared_ptr<mien_measurement> handle_;
 };

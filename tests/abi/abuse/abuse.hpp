@@ -94,15 +94,19 @@ class Fixtures {
     /// Good values for all parameters of a function; false when a handle is missing.
     bool good_arguments(const FunctionRow& row, std::vector<Argument>& arguments);
 
-    static constexpr int kSide = 12, kVertices = kSide * kSide, kFaces = 16;
+    static constexpr int kSide = 12, kVertices = kSide * kSide, kFaces = 24;
     static constexpr int kCode = 5;  ///< numbers of the network's codes
     static constexpr const char* kDataset = "abuse_faces.safetensors";
 
   private:
     void write_files(mien_session* session) const;
+    mien_mesh* symmetric_mesh(mien_session* session) const;
     std::vector<double> face(int subject, int expression) const;
     std::vector<std::pair<std::string, void*>> handles_;
     void* distances_ = nullptr;
+    void* sides_ = nullptr;
+    void* vertex_marks_ = nullptr;  // landmarks that are vertices
+    mien_mesh* symmetric_ = nullptr;
     std::uint32_t identity_modes_ = 0, expression_modes_ = 0;
     std::vector<double> positions_;
     std::vector<std::uint32_t> triangles_, zone_;

@@ -77,6 +77,13 @@ Fixtures::Fixtures() {
     handles_.emplace_back("mien_mesh", mesh);
 
     write_files(session);
+    symmetric_ = symmetric_mesh(session);
+    std::ofstream("abuse_marks.json")
+        << R"({"vertices": {"nose_bridge_3": 77, "nose_base_2": 53, "mouth_outer_09": 41,
+               "jaw_08": 5, "eye_right_3": 88, "eye_left_0": 91}})";
+    mien_landmarks* marks = nullptr;
+    mien_landmarks_load(session, "abuse_marks.json", &marks, nullptr);
+    vertex_marks_ = marks;
     // Whatever else can be made from what exists, by its own create function with good arguments.
     for (int round = 0; round < 4; ++round)
         for (const FunctionRow& row : functions()) {
@@ -105,6 +112,10 @@ Fixtures::Fixtures() {
     mien_measure_distance(session, mesh, mesh, nullptr, &distances, nullptr);
     distances_ = distances;
     handles_.emplace_back("mien_measurement", distances);
+    mien_measurement* sides = nullptr;  // and the third
+    mien_measure_asymmetry(session, symmetric_, symmetric_, nullptr, &sides, nullptr);
+    sides_ = sides;
+    handles_.emplace_back("mien_measurement", sides);
     // What the loading functions read.
     for (const FunctionRow& row : functions()) {
         std::vector<Argument> arguments;
@@ -128,7 +139,24 @@ std::vector<double> Fixtures::face(int subject, int expression) const {
     return positions;
 }
 
-/// A dataset of eight subjects with two expressions, its two shards, and a network.
+/// The same sheet with x = 0 in its middle, where two columns of vertices lie.
+mien_mesh* Fixtures::symmetric_mesh(mien_session* session) const {
+    std::vector<double> positions;
+    for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x)
+            positions.insert(positions.end(), {10.0 * (x < kSide / 2 ? x - 5 : x - 6), 10.0 * y,
+                                               5.0 * std::cos(0.9 * y) + (x == 6 ? 3.0 : 0.0)});
+    mien_mesh_arrays arrays{};
+    arrays.struct_size = sizeof arrays;
+    arrays.positions = {positions.data(), kVertices, 0, MIEN_DTYPE_F64, 0};
+    arrays.triangles = triangles_.data();
+    arrays.triangle_count = triangles_.size() / 3;
+    mien_mesh* mesh = nullptr;
+    mien_mesh_create(session, &arrays, &mesh, nullptr);
+    return mesh;
+}
+
+/// A dataset of twelve subjects with two expressions, its two shards, and a network.
 void Fixtures::write_files(mien_session* session) const {
     const char* const names[] = {"neutral", "grin"};
     mien_dataset_writer* writer = nullptr;
@@ -153,6 +181,8 @@ void Fixtures::write_files(mien_session* session) const {
 }
 
 Fixtures::~Fixtures() {
+    mien_landmarks_release(static_cast<mien_landmarks*>(vertex_marks_));
+    mien_mesh_release(symmetric_);
     for (auto row = handles_.rbegin(); row != handles_.rend(); ++row) {
         Argument argument;
         argument.pointer = row->second;
@@ -242,8 +272,17 @@ bool Fixtures::good_arguments(const FunctionRow& row, std::vector<Argument>& arg
                     name == "cancel" && parameter.nullable ? nullptr : handle(parameter.type);
                 if (std::string(row.name) == "mien_template_check" && name == "landmarks")
                     argument.pointer = nullptr;  // those at hand are places, not vertices
+                if (name == "landmarks" && (std::string(row.name) == "mien_norms_create" ||
+                                            std::string(row.name) == "mien_landmarks_add_profile"))
+                    argument.pointer = vertex_marks_;
+                if (name == "template_mesh" &&
+                    (std::string(row.name) == "mien_measure_asymmetry" ||
+                     std::string(row.name) == "mien_landmarks_add_profile"))
+                    argument.pointer = symmetric_;
                 if (std::string(row.name) == "mien_measurement_get_distance")
                     argument.pointer = distances_;
+                if (std::string(row.name) == "mien_measurement_get_mirror_plane")
+                    argument.pointer = sides_;
                 complete = complete && (argument.pointer != nullptr || parameter.nullable);
                 break;
             case Kind::struct_in:

@@ -91,7 +91,7 @@ std::string file_of(const std::string& function) {
     const std::string kind = end == std::string::npos ? function : function.substr(5, end - 5);
     if (kind == "mesh")
         return function.find("target") == std::string::npos ? "abuse_mesh.ply" : "abuse_mesh.glb";
-    const bool text = kind == "landmarks" || kind == "zones";
+    const bool text = kind == "landmarks" || kind == "zones" || kind == "norms";
     return "abuse_" + kind + (text ? ".json" : ".safetensors");
 }
 

@@ -121,6 +121,23 @@ TEST(Score, SurvivesItsFileAndRefusesOtherTopologies) {
     EXPECT_EQ(test::status_of([&] { predict_score(again, other.vertices, {}); }), Status::mismatch);
 }
 
+TEST(Score, AllSeventeenFeaturesLearnTooAndSurviveTheirFile) {
+    const Study study(60, 0.2);
+    ScoreOptions options = quick();
+    options.features = ScoreFeatures::all;
+    const ScoreModel model = train_score(study.open(), study.grades, options, {});
+    EXPECT_EQ(model.feature_mean.size(), 17 * study.mesh.vertices.rows());
+    EXPECT_GT(model.q2, 0.8);
+    EXPECT_GT(model.shape_scale.minCoeff(), 0);
+    const std::string path = ::testing::TempDir() + "mien_score_all.safetensors";
+    save_score_model(path, model, {});
+    const ScoreModel loaded = load_score_model(path, {}, {});
+    SplitMix random(5);
+    const Points face = study.face(2.5, random);
+    EXPECT_EQ(predict_score(loaded, face, {}).score, predict_score(model, face, {}).score);
+    EXPECT_NEAR(predict_score(model, face, {}).score, 2.5, 1.0);
+}
+
 TEST(Score, LeavesOutUngradedFacesAndRefusesTooFew) {
     const Study study(30, 0.2);
     Vector grades = study.grades;

@@ -210,141 +210,6 @@ final class RawForeign implements Raw {
         try { mien_mesh_release.invokeExact(mesh); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
     }
 
-    private final MethodHandle mien_spectral_basis_options_init = library.find("mien_spectral_basis_options_init", FunctionDescriptor.ofVoid(JAVA_LONG, JAVA_LONG));
-    @Override public void mien_spectral_basis_options_init(long options, long structSize) {
-        try { mien_spectral_basis_options_init.invokeExact(options, structSize); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_spectral_basis_build = library.find("mien_spectral_basis_build", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_spectral_basis_build(long session, long mean, long options, long out, long error) {
-        try { return (int) mien_spectral_basis_build.invokeExact(session, mean, options, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_spectral_basis_load = library.find("mien_spectral_basis_load", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_spectral_basis_load(long session, long path, long out, long error) {
-        try { return (int) mien_spectral_basis_load.invokeExact(session, path, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_spectral_basis_save = library.find("mien_spectral_basis_save", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_spectral_basis_save(long session, long basis, long path, long error) {
-        try { return (int) mien_spectral_basis_save.invokeExact(session, basis, path, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_spectral_basis_get_counts = library.find("mien_spectral_basis_get_counts", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_spectral_basis_get_counts(long basis, long vertexCount, long modeCount, long error) {
-        try { return (int) mien_spectral_basis_get_counts.invokeExact(basis, vertexCount, modeCount, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_spectral_basis_get_eigenvalues = library.find("mien_spectral_basis_get_eigenvalues", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_spectral_basis_get_eigenvalues(long basis, long dst, long capacity, long count, long error) {
-        try { return (int) mien_spectral_basis_get_eigenvalues.invokeExact(basis, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_spectral_basis_retain = library.find("mien_spectral_basis_retain", FunctionDescriptor.ofVoid(JAVA_LONG));
-    @Override public void mien_spectral_basis_retain(long basis) {
-        try { mien_spectral_basis_retain.invokeExact(basis); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_spectral_basis_release = library.find("mien_spectral_basis_release", FunctionDescriptor.ofVoid(JAVA_LONG));
-    @Override public void mien_spectral_basis_release(long basis) {
-        try { mien_spectral_basis_release.invokeExact(basis); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_spectral_split = library.find("mien_spectral_split", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_spectral_split(long session, long basis, long face, long k, long low, long high, long error) {
-        try { return (int) mien_spectral_split.invokeExact(session, basis, face, k, low, high, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_spectral_assemble = library.find("mien_spectral_assemble", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_spectral_assemble(long session, long basis, long low, long high, long k, long out, long error) {
-        try { return (int) mien_spectral_assemble.invokeExact(session, basis, low, high, k, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_spectral_edit = library.find("mien_spectral_edit", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_spectral_edit(long session, long basis, long face, long limits, long limitCount, long gains, long out, long error) {
-        try { return (int) mien_spectral_edit.invokeExact(session, basis, face, limits, limitCount, gains, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_spectral_mix = library.find("mien_spectral_mix", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_spectral_mix(long session, long basis, long first, long second, long limits, long limitCount, long weights, long out, long error) {
-        try { return (int) mien_spectral_mix.invokeExact(session, basis, first, second, limits, limitCount, weights, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_metric = library.find("mien_metric", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_metric(long session, int metric, long reference, long other, long value, long error) {
-        try { return (int) mien_metric.invokeExact(session, metric, reference, other, value, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_transfer_expression = library.find("mien_transfer_expression", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_transfer_expression(long session, long sourceNeutral, long sourceExpression, long targetNeutral, long out, long error) {
-        try { return (int) mien_transfer_expression.invokeExact(session, sourceNeutral, sourceExpression, targetNeutral, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_blendshape_options_init = library.find("mien_blendshape_options_init", FunctionDescriptor.ofVoid(JAVA_LONG, JAVA_LONG));
-    @Override public void mien_blendshape_options_init(long options, long structSize) {
-        try { mien_blendshape_options_init.invokeExact(options, structSize); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_blendshape_model_train = library.find("mien_blendshape_model_train", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_blendshape_model_train(long session, long datasetPath, long expression, long options, long out, long error) {
-        try { return (int) mien_blendshape_model_train.invokeExact(session, datasetPath, expression, options, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_blendshape_model_load = library.find("mien_blendshape_model_load", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_blendshape_model_load(long session, long path, long out, long error) {
-        try { return (int) mien_blendshape_model_load.invokeExact(session, path, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_blendshape_model_save = library.find("mien_blendshape_model_save", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_blendshape_model_save(long session, long model, long path, long error) {
-        try { return (int) mien_blendshape_model_save.invokeExact(session, model, path, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_blendshape_model_get_mean = library.find("mien_blendshape_model_get_mean", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_blendshape_model_get_mean(long model, long out, long error) {
-        try { return (int) mien_blendshape_model_get_mean.invokeExact(model, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_blendshape_model_predict = library.find("mien_blendshape_model_predict", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_blendshape_model_predict(long session, long model, long basis, long k, long neutral, long out, long error) {
-        try { return (int) mien_blendshape_model_predict.invokeExact(session, model, basis, k, neutral, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_blendshape_model_search = library.find("mien_blendshape_model_search", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_blendshape_model_search(long session, long model, long basis, long datasetPath, long expression, long candidates, int candidateCount, long options, long choices, long error) {
-        try { return (int) mien_blendshape_model_search.invokeExact(session, model, basis, datasetPath, expression, candidates, candidateCount, options, choices, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_blendshape_model_retain = library.find("mien_blendshape_model_retain", FunctionDescriptor.ofVoid(JAVA_LONG));
-    @Override public void mien_blendshape_model_retain(long model) {
-        try { mien_blendshape_model_retain.invokeExact(model); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_blendshape_model_release = library.find("mien_blendshape_model_release", FunctionDescriptor.ofVoid(JAVA_LONG));
-    @Override public void mien_blendshape_model_release(long model) {
-        try { mien_blendshape_model_release.invokeExact(model); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_dataset_writer_create = library.find("mien_dataset_writer_create", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_INT, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_dataset_writer_create(long session, long topology, long expressionNames, int expressionCount, long out, long error) {
-        try { return (int) mien_dataset_writer_create.invokeExact(session, topology, expressionNames, expressionCount, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_dataset_writer_add = library.find("mien_dataset_writer_add", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_INT, JAVA_INT, JAVA_LONG));
-    @Override public int mien_dataset_writer_add(long writer, long positions, int subject, int expression, long error) {
-        try { return (int) mien_dataset_writer_add.invokeExact(writer, positions, subject, expression, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_dataset_writer_save = library.find("mien_dataset_writer_save", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_dataset_writer_save(long session, long writer, long path, long error) {
-        try { return (int) mien_dataset_writer_save.invokeExact(session, writer, path, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_dataset_writer_release = library.find("mien_dataset_writer_release", FunctionDescriptor.ofVoid(JAVA_LONG));
-    @Override public void mien_dataset_writer_release(long writer) {
-        try { mien_dataset_writer_release.invokeExact(writer); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
     private final MethodHandle mien_model_options_init = library.find("mien_model_options_init", FunctionDescriptor.ofVoid(JAVA_LONG, JAVA_LONG));
     @Override public void mien_model_options_init(long options, long structSize) {
         try { mien_model_options_init.invokeExact(options, structSize); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
@@ -540,6 +405,306 @@ final class RawForeign implements Raw {
         try { mien_zones_release.invokeExact(zones); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
     }
 
+    private final MethodHandle mien_anthropometry_options_init = library.find("mien_anthropometry_options_init", FunctionDescriptor.ofVoid(JAVA_LONG, JAVA_LONG));
+    @Override public void mien_anthropometry_options_init(long options, long structSize) {
+        try { mien_anthropometry_options_init.invokeExact(options, structSize); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_landmarks_add_profile = library.find("mien_landmarks_add_profile", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_landmarks_add_profile(long landmarks, long templateMesh, long out, long error) {
+        try { return (int) mien_landmarks_add_profile.invokeExact(landmarks, templateMesh, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_measure_anthropometry = library.find("mien_measure_anthropometry", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_measure_anthropometry(long session, long face, long landmarks, long options, long out, long error) {
+        try { return (int) mien_measure_anthropometry.invokeExact(session, face, landmarks, options, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_anthropometry_get_counts = library.find("mien_anthropometry_get_counts", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_anthropometry_get_counts(long anthropometry, long count, long knownCount, long error) {
+        try { return (int) mien_anthropometry_get_counts.invokeExact(anthropometry, count, knownCount, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_anthropometry_get_name = library.find("mien_anthropometry_get_name", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_anthropometry_get_name(long anthropometry, long index, long dst, long capacity, long count, long error) {
+        try { return (int) mien_anthropometry_get_name.invokeExact(anthropometry, index, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_anthropometry_get_value = library.find("mien_anthropometry_get_value", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_anthropometry_get_value(long anthropometry, long index, long out, long error) {
+        try { return (int) mien_anthropometry_get_value.invokeExact(anthropometry, index, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_anthropometry_get_reason = library.find("mien_anthropometry_get_reason", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_anthropometry_get_reason(long anthropometry, long index, long dst, long capacity, long count, long error) {
+        try { return (int) mien_anthropometry_get_reason.invokeExact(anthropometry, index, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_anthropometry_get_json = library.find("mien_anthropometry_get_json", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_anthropometry_get_json(long anthropometry, long dst, long capacity, long count, long error) {
+        try { return (int) mien_anthropometry_get_json.invokeExact(anthropometry, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_anthropometry_release = library.find("mien_anthropometry_release", FunctionDescriptor.ofVoid(JAVA_LONG));
+    @Override public void mien_anthropometry_release(long anthropometry) {
+        try { mien_anthropometry_release.invokeExact(anthropometry); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_norms_create = library.find("mien_norms_create", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_norms_create(long session, long datasetPath, long landmarks, long options, long out, long error) {
+        try { return (int) mien_norms_create.invokeExact(session, datasetPath, landmarks, options, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_norms_load = library.find("mien_norms_load", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_norms_load(long session, long path, long out, long error) {
+        try { return (int) mien_norms_load.invokeExact(session, path, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_norms_save = library.find("mien_norms_save", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_norms_save(long session, long norms, long path, long error) {
+        try { return (int) mien_norms_save.invokeExact(session, norms, path, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_norms_get_json = library.find("mien_norms_get_json", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_norms_get_json(long norms, long dst, long capacity, long count, long error) {
+        try { return (int) mien_norms_get_json.invokeExact(norms, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_norms_release = library.find("mien_norms_release", FunctionDescriptor.ofVoid(JAVA_LONG));
+    @Override public void mien_norms_release(long norms) {
+        try { mien_norms_release.invokeExact(norms); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_measure_options_init = library.find("mien_measure_options_init", FunctionDescriptor.ofVoid(JAVA_LONG, JAVA_LONG));
+    @Override public void mien_measure_options_init(long options, long structSize) {
+        try { mien_measure_options_init.invokeExact(options, structSize); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_measure_volume = library.find("mien_measure_volume", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_measure_volume(long session, long before, long after, long options, long out, long error) {
+        try { return (int) mien_measure_volume.invokeExact(session, before, after, options, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_measure_distance = library.find("mien_measure_distance", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_measure_distance(long session, long before, long after, long options, long out, long error) {
+        try { return (int) mien_measure_distance.invokeExact(session, before, after, options, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_measure_surface_distance = library.find("mien_measure_surface_distance", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_measure_surface_distance(long session, long before, long after, long options, long out, long error) {
+        try { return (int) mien_measure_surface_distance.invokeExact(session, before, after, options, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_measure_closed_volume = library.find("mien_measure_closed_volume", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_INT, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_measure_closed_volume(long session, long mesh, int closeRims, long volumeMl, long error) {
+        try { return (int) mien_measure_closed_volume.invokeExact(session, mesh, closeRims, volumeMl, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_measure_area = library.find("mien_measure_area", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_measure_area(long session, long mesh, long zone, long areaMm2, long error) {
+        try { return (int) mien_measure_area.invokeExact(session, mesh, zone, areaMm2, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_measure_curvature = library.find("mien_measure_curvature", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_DOUBLE, JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_measure_curvature(long session, long mesh, double radiusMm, int robust, long options, long out, long error) {
+        try { return (int) mien_measure_curvature.invokeExact(session, mesh, radiusMm, robust, options, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_measure_lengths = library.find("mien_measure_lengths", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_measure_lengths(long session, long mesh, long pairs, long pairCount, long straightMm, long geodesicMm, long error) {
+        try { return (int) mien_measure_lengths.invokeExact(session, mesh, pairs, pairCount, straightMm, geodesicMm, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_measure_scan_volume = library.find("mien_measure_scan_volume", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_measure_scan_volume(long session, long before, long after, int carry, long direction, long options, long coverage, long out, long error) {
+        try { return (int) mien_measure_scan_volume.invokeExact(session, before, after, carry, direction, options, coverage, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_measure_align = library.find("mien_measure_align", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_measure_align(long session, long moving, long target, long stable, long info, long out, long error) {
+        try { return (int) mien_measure_align.invokeExact(session, moving, target, stable, info, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_measurement_get_zones = library.find("mien_measurement_get_zones", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_measurement_get_zones(long measurement, long zoneCount, long zonesDisjoint, long error) {
+        try { return (int) mien_measurement_get_zones.invokeExact(measurement, zoneCount, zonesDisjoint, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_measurement_get_volume = library.find("mien_measurement_get_volume", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_INT, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_measurement_get_volume(long measurement, int zone, long out, long error) {
+        try { return (int) mien_measurement_get_volume.invokeExact(measurement, zone, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_measurement_get_distance = library.find("mien_measurement_get_distance", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_INT, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_measurement_get_distance(long measurement, int zone, long out, long error) {
+        try { return (int) mien_measurement_get_distance.invokeExact(measurement, zone, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_measurement_get_field = library.find("mien_measurement_get_field", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_measurement_get_field(long measurement, int field, long dst, long capacity, long count, long error) {
+        try { return (int) mien_measurement_get_field.invokeExact(measurement, field, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_measurement_get_json = library.find("mien_measurement_get_json", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_measurement_get_json(long measurement, long dst, long capacity, long count, long error) {
+        try { return (int) mien_measurement_get_json.invokeExact(measurement, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_measurement_release = library.find("mien_measurement_release", FunctionDescriptor.ofVoid(JAVA_LONG));
+    @Override public void mien_measurement_release(long measurement) {
+        try { mien_measurement_release.invokeExact(measurement); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_asymmetry_options_init = library.find("mien_asymmetry_options_init", FunctionDescriptor.ofVoid(JAVA_LONG, JAVA_LONG));
+    @Override public void mien_asymmetry_options_init(long options, long structSize) {
+        try { mien_asymmetry_options_init.invokeExact(options, structSize); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_measure_asymmetry = library.find("mien_measure_asymmetry", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_measure_asymmetry(long session, long face, long templateMesh, long options, long out, long error) {
+        try { return (int) mien_measure_asymmetry.invokeExact(session, face, templateMesh, options, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_measurement_get_mirror_plane = library.find("mien_measurement_get_mirror_plane", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_measurement_get_mirror_plane(long measurement, long out, long error) {
+        try { return (int) mien_measurement_get_mirror_plane.invokeExact(measurement, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_spectral_basis_options_init = library.find("mien_spectral_basis_options_init", FunctionDescriptor.ofVoid(JAVA_LONG, JAVA_LONG));
+    @Override public void mien_spectral_basis_options_init(long options, long structSize) {
+        try { mien_spectral_basis_options_init.invokeExact(options, structSize); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_spectral_basis_build = library.find("mien_spectral_basis_build", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_spectral_basis_build(long session, long mean, long options, long out, long error) {
+        try { return (int) mien_spectral_basis_build.invokeExact(session, mean, options, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_spectral_basis_load = library.find("mien_spectral_basis_load", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_spectral_basis_load(long session, long path, long out, long error) {
+        try { return (int) mien_spectral_basis_load.invokeExact(session, path, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_spectral_basis_save = library.find("mien_spectral_basis_save", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_spectral_basis_save(long session, long basis, long path, long error) {
+        try { return (int) mien_spectral_basis_save.invokeExact(session, basis, path, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_spectral_basis_get_counts = library.find("mien_spectral_basis_get_counts", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_spectral_basis_get_counts(long basis, long vertexCount, long modeCount, long error) {
+        try { return (int) mien_spectral_basis_get_counts.invokeExact(basis, vertexCount, modeCount, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_spectral_basis_get_eigenvalues = library.find("mien_spectral_basis_get_eigenvalues", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_spectral_basis_get_eigenvalues(long basis, long dst, long capacity, long count, long error) {
+        try { return (int) mien_spectral_basis_get_eigenvalues.invokeExact(basis, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_spectral_basis_retain = library.find("mien_spectral_basis_retain", FunctionDescriptor.ofVoid(JAVA_LONG));
+    @Override public void mien_spectral_basis_retain(long basis) {
+        try { mien_spectral_basis_retain.invokeExact(basis); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_spectral_basis_release = library.find("mien_spectral_basis_release", FunctionDescriptor.ofVoid(JAVA_LONG));
+    @Override public void mien_spectral_basis_release(long basis) {
+        try { mien_spectral_basis_release.invokeExact(basis); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_spectral_split = library.find("mien_spectral_split", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_spectral_split(long session, long basis, long face, long k, long low, long high, long error) {
+        try { return (int) mien_spectral_split.invokeExact(session, basis, face, k, low, high, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_spectral_assemble = library.find("mien_spectral_assemble", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_spectral_assemble(long session, long basis, long low, long high, long k, long out, long error) {
+        try { return (int) mien_spectral_assemble.invokeExact(session, basis, low, high, k, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_spectral_edit = library.find("mien_spectral_edit", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_spectral_edit(long session, long basis, long face, long limits, long limitCount, long gains, long out, long error) {
+        try { return (int) mien_spectral_edit.invokeExact(session, basis, face, limits, limitCount, gains, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_spectral_mix = library.find("mien_spectral_mix", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_spectral_mix(long session, long basis, long first, long second, long limits, long limitCount, long weights, long out, long error) {
+        try { return (int) mien_spectral_mix.invokeExact(session, basis, first, second, limits, limitCount, weights, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_metric = library.find("mien_metric", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_metric(long session, int metric, long reference, long other, long value, long error) {
+        try { return (int) mien_metric.invokeExact(session, metric, reference, other, value, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_transfer_expression = library.find("mien_transfer_expression", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_transfer_expression(long session, long sourceNeutral, long sourceExpression, long targetNeutral, long out, long error) {
+        try { return (int) mien_transfer_expression.invokeExact(session, sourceNeutral, sourceExpression, targetNeutral, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_blendshape_options_init = library.find("mien_blendshape_options_init", FunctionDescriptor.ofVoid(JAVA_LONG, JAVA_LONG));
+    @Override public void mien_blendshape_options_init(long options, long structSize) {
+        try { mien_blendshape_options_init.invokeExact(options, structSize); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_blendshape_model_train = library.find("mien_blendshape_model_train", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_blendshape_model_train(long session, long datasetPath, long expression, long options, long out, long error) {
+        try { return (int) mien_blendshape_model_train.invokeExact(session, datasetPath, expression, options, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_blendshape_model_load = library.find("mien_blendshape_model_load", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_blendshape_model_load(long session, long path, long out, long error) {
+        try { return (int) mien_blendshape_model_load.invokeExact(session, path, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_blendshape_model_save = library.find("mien_blendshape_model_save", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_blendshape_model_save(long session, long model, long path, long error) {
+        try { return (int) mien_blendshape_model_save.invokeExact(session, model, path, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_blendshape_model_get_mean = library.find("mien_blendshape_model_get_mean", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_blendshape_model_get_mean(long model, long out, long error) {
+        try { return (int) mien_blendshape_model_get_mean.invokeExact(model, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_blendshape_model_predict = library.find("mien_blendshape_model_predict", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_blendshape_model_predict(long session, long model, long basis, long k, long neutral, long out, long error) {
+        try { return (int) mien_blendshape_model_predict.invokeExact(session, model, basis, k, neutral, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_blendshape_model_search = library.find("mien_blendshape_model_search", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_blendshape_model_search(long session, long model, long basis, long datasetPath, long expression, long candidates, int candidateCount, long options, long choices, long error) {
+        try { return (int) mien_blendshape_model_search.invokeExact(session, model, basis, datasetPath, expression, candidates, candidateCount, options, choices, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_blendshape_model_retain = library.find("mien_blendshape_model_retain", FunctionDescriptor.ofVoid(JAVA_LONG));
+    @Override public void mien_blendshape_model_retain(long model) {
+        try { mien_blendshape_model_retain.invokeExact(model); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_blendshape_model_release = library.find("mien_blendshape_model_release", FunctionDescriptor.ofVoid(JAVA_LONG));
+    @Override public void mien_blendshape_model_release(long model) {
+        try { mien_blendshape_model_release.invokeExact(model); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_dataset_writer_create = library.find("mien_dataset_writer_create", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_INT, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_dataset_writer_create(long session, long topology, long expressionNames, int expressionCount, long out, long error) {
+        try { return (int) mien_dataset_writer_create.invokeExact(session, topology, expressionNames, expressionCount, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_dataset_writer_add = library.find("mien_dataset_writer_add", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_INT, JAVA_INT, JAVA_LONG));
+    @Override public int mien_dataset_writer_add(long writer, long positions, int subject, int expression, long error) {
+        try { return (int) mien_dataset_writer_add.invokeExact(writer, positions, subject, expression, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_dataset_writer_save = library.find("mien_dataset_writer_save", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_dataset_writer_save(long session, long writer, long path, long error) {
+        try { return (int) mien_dataset_writer_save.invokeExact(session, writer, path, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_dataset_writer_release = library.find("mien_dataset_writer_release", FunctionDescriptor.ofVoid(JAVA_LONG));
+    @Override public void mien_dataset_writer_release(long writer) {
+        try { mien_dataset_writer_release.invokeExact(writer); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
     private final MethodHandle mien_register_options_init = library.find("mien_register_options_init", FunctionDescriptor.ofVoid(JAVA_LONG, JAVA_LONG));
     @Override public void mien_register_options_init(long options, long structSize) {
         try { mien_register_options_init.invokeExact(options, structSize); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
@@ -705,6 +870,11 @@ final class RawForeign implements Raw {
         try { return (int) mien_neutralization_get_uncertainty.invokeExact(neutralization, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
     }
 
+    private final MethodHandle mien_neutralization_get_reading = library.find("mien_neutralization_get_reading", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_INT, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_neutralization_get_reading(long neutralization, int reading, long out, long error) {
+        try { return (int) mien_neutralization_get_reading.invokeExact(neutralization, reading, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
     private final MethodHandle mien_neutralization_get_json = library.find("mien_neutralization_get_json", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
     @Override public int mien_neutralization_get_json(long neutralization, long dst, long capacity, long count, long error) {
         try { return (int) mien_neutralization_get_json.invokeExact(neutralization, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
@@ -788,86 +958,6 @@ final class RawForeign implements Raw {
     private final MethodHandle mien_hierarchy_release = library.find("mien_hierarchy_release", FunctionDescriptor.ofVoid(JAVA_LONG));
     @Override public void mien_hierarchy_release(long hierarchy) {
         try { mien_hierarchy_release.invokeExact(hierarchy); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_measure_options_init = library.find("mien_measure_options_init", FunctionDescriptor.ofVoid(JAVA_LONG, JAVA_LONG));
-    @Override public void mien_measure_options_init(long options, long structSize) {
-        try { mien_measure_options_init.invokeExact(options, structSize); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_measure_volume = library.find("mien_measure_volume", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_measure_volume(long session, long before, long after, long options, long out, long error) {
-        try { return (int) mien_measure_volume.invokeExact(session, before, after, options, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_measure_distance = library.find("mien_measure_distance", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_measure_distance(long session, long before, long after, long options, long out, long error) {
-        try { return (int) mien_measure_distance.invokeExact(session, before, after, options, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_measure_surface_distance = library.find("mien_measure_surface_distance", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_measure_surface_distance(long session, long before, long after, long options, long out, long error) {
-        try { return (int) mien_measure_surface_distance.invokeExact(session, before, after, options, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_measure_closed_volume = library.find("mien_measure_closed_volume", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_INT, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_measure_closed_volume(long session, long mesh, int closeRims, long volumeMl, long error) {
-        try { return (int) mien_measure_closed_volume.invokeExact(session, mesh, closeRims, volumeMl, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_measure_area = library.find("mien_measure_area", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_measure_area(long session, long mesh, long zone, long areaMm2, long error) {
-        try { return (int) mien_measure_area.invokeExact(session, mesh, zone, areaMm2, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_measure_curvature = library.find("mien_measure_curvature", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_DOUBLE, JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_measure_curvature(long session, long mesh, double radiusMm, int robust, long options, long out, long error) {
-        try { return (int) mien_measure_curvature.invokeExact(session, mesh, radiusMm, robust, options, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_measure_lengths = library.find("mien_measure_lengths", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_measure_lengths(long session, long mesh, long pairs, long pairCount, long straightMm, long geodesicMm, long error) {
-        try { return (int) mien_measure_lengths.invokeExact(session, mesh, pairs, pairCount, straightMm, geodesicMm, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_measure_scan_volume = library.find("mien_measure_scan_volume", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_measure_scan_volume(long session, long before, long after, int carry, long direction, long options, long coverage, long out, long error) {
-        try { return (int) mien_measure_scan_volume.invokeExact(session, before, after, carry, direction, options, coverage, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_measure_align = library.find("mien_measure_align", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_measure_align(long session, long moving, long target, long stable, long info, long out, long error) {
-        try { return (int) mien_measure_align.invokeExact(session, moving, target, stable, info, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_measurement_get_zones = library.find("mien_measurement_get_zones", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_measurement_get_zones(long measurement, long zoneCount, long zonesDisjoint, long error) {
-        try { return (int) mien_measurement_get_zones.invokeExact(measurement, zoneCount, zonesDisjoint, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_measurement_get_volume = library.find("mien_measurement_get_volume", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_INT, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_measurement_get_volume(long measurement, int zone, long out, long error) {
-        try { return (int) mien_measurement_get_volume.invokeExact(measurement, zone, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_measurement_get_distance = library.find("mien_measurement_get_distance", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_INT, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_measurement_get_distance(long measurement, int zone, long out, long error) {
-        try { return (int) mien_measurement_get_distance.invokeExact(measurement, zone, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_measurement_get_field = library.find("mien_measurement_get_field", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_measurement_get_field(long measurement, int field, long dst, long capacity, long count, long error) {
-        try { return (int) mien_measurement_get_field.invokeExact(measurement, field, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_measurement_get_json = library.find("mien_measurement_get_json", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_measurement_get_json(long measurement, long dst, long capacity, long count, long error) {
-        try { return (int) mien_measurement_get_json.invokeExact(measurement, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_measurement_release = library.find("mien_measurement_release", FunctionDescriptor.ofVoid(JAVA_LONG));
-    @Override public void mien_measurement_release(long measurement) {
-        try { mien_measurement_release.invokeExact(measurement); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
     }
 
     private final MethodHandle mien_mesh_inspect = library.find("mien_mesh_inspect", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
