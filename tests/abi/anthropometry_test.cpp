@@ -102,7 +102,7 @@ TEST(Asymmetry, OfAHillOnTheLeftIsPositiveAndHasItsPlane) {
     mien_zone_volume whole{};
     whole.struct_size = sizeof whole;
     EXPECT_EQ(MIEN_OK, mien_measurement_get_volume(m, MIEN_ZONE_WHOLE, &whole, nullptr));
-    EXPECT_NEAR(2 * 3.14159 * 25 / 1000, whole.signed_ml, 0.03);
+    EXPECT_NEAR(2 * 3.14159 * 50 / 1000, whole.signed_ml, 0.03);
     mien_mirror_plane plane{};
     plane.struct_size = sizeof plane;
     EXPECT_EQ(MIEN_OK, mien_measurement_get_mirror_plane(m, &plane, nullptr));
