@@ -67,12 +67,26 @@ MirrorPlaneSettings for_landmarks(MirrorPlaneSettings settings) {
     return settings;
 }
 
+/// Areas, less where the face itself is not sure of its surface: parts that no scan saw are the
+/// model's, and a model's face is symmetric by itself.
+Vector surface_weights(const TriMesh& face, const MirrorMap& map, const AsymmetryOptions& options) {
+    Vector weights = vertex_areas(face.vertices, face.triangles);
+    for (Index v = 0; v < options.normal_sd_mm.size(); ++v) {
+        const double ratio =
+            std::max(options.normal_sd_mm[v],
+                     options.normal_sd_mm[map.partner[static_cast<std::size_t>(v)]]) /
+            options.plane_noise_mm;
+        weights[v] /= 1.0 + ratio * ratio;
+    }
+    return weights;
+}
+
 AsymmetryPlanes find_planes(const TriMesh& face, const MirrorMap& map,
                             const AsymmetryOptions& options) {
     AsymmetryPlanes planes;
     planes.by = options.by;
-    const MirrorPlane surface = find_mirror_plane(
-        face.vertices, map, vertex_areas(face.vertices, face.triangles), options.plane);
+    const MirrorPlane surface =
+        find_mirror_plane(face.vertices, map, surface_weights(face, map, options), options.plane);
     planes.used = surface;
     planes.between_rad = planes.apart_mm = std::numeric_limits<double>::quiet_NaN();
     if (options.landmarks.empty()) {
@@ -149,6 +163,14 @@ Asymmetry measure_asymmetry(const TriMesh& face, const MirrorMap& map,
         fail(Status::mismatch, "%lld deviations for %lld vertices",
              static_cast<long long>(options.normal_sd_mm.size()),
              static_cast<long long>(face.vertices.rows()));
+    for (Index v = 0; v < options.normal_sd_mm.size(); ++v)
+        if (!(options.normal_sd_mm[v] >= 0) || !std::isfinite(options.normal_sd_mm[v]))
+            fail_at(Status::invalid_argument, v,
+                    "deviation %lld is %g; deviations are zero or more", static_cast<long long>(v),
+                    options.normal_sd_mm[v]);
+    if (!(options.plane_noise_mm > 0) || !std::isfinite(options.plane_noise_mm))
+        fail(Status::invalid_argument, "plane_noise_mm is %g; give more than zero",
+             options.plane_noise_mm);
     Asymmetry result;
     result.planes = find_planes(face, map, options);
     const MirrorPlane& plane = result.planes.used;

@@ -31,6 +31,9 @@ struct AsymmetryOptions {
     MirrorBy by = MirrorBy::surface;       ///< landmarks: the plane is fitted to them alone
     Vector normal_sd_mm;  ///< #V, of the face along its normal; empty: no deviation is told
     double correlation_length_mm = kSurfaceCorrelationMm;  ///< of the face's errors, >= 0
+    /// A surface that is less sure than this counts less for the plane, mm, > 0. Not measured:
+    /// about the asymmetry of faces, which is there anyway.
+    double plane_noise_mm = 0.5;
     MirrorPlaneSettings plane;
 };
 

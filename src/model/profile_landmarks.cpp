@@ -11,6 +11,9 @@ namespace {
 
 constexpr double kAboveEyes = 25.0;    ///< mm over the inner corners that the root can reach
 constexpr double kAboveNasion = 30.0;  ///< mm that the brows' bulge can lie higher
+/// A midline vertex with another one so far in front of it, mm, at about its height, mm, lies
+/// behind the face: on the back of the head, inside the mouth.
+constexpr double kInFront = 30.0, kSameHeight = 4.0;
 
 std::string folded(const std::string& name) {
     std::string plain;
@@ -29,8 +32,15 @@ class Profile {
   public:
     Profile(const TriMesh& mesh, const std::vector<Landmark>& known) : mesh_(mesh), known_(known) {
         const std::vector<std::uint32_t> partner = mirror_map(mesh);
+        std::vector<std::uint32_t> all;
         for (std::uint32_t v = 0; v < partner.size(); ++v)
-            if (partner[v] == v) middle_.push_back(v);
+            if (partner[v] == v) all.push_back(v);
+        for (const std::uint32_t v : all)
+            if (std::none_of(all.begin(), all.end(), [&](std::uint32_t other) {
+                    return std::fabs(mesh.vertices(other, 1) - mesh.vertices(v, 1)) < kSameHeight &&
+                           mesh.vertices(other, 2) - mesh.vertices(v, 2) > kInFront;
+                }))
+                middle_.push_back(v);
     }
 
     Vector3 place(const char* name) const {

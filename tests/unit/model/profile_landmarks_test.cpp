@@ -71,6 +71,21 @@ TEST(ProfileLandmarks, LieAtTheProfilesBulgesAndHollows) {
     EXPECT_LT(columella, 5);
 }
 
+TEST(ProfileLandmarks, AreNotSoughtOnTheBackOfTheHead) {
+    Sheet head;
+    const Index n = head.mesh.vertices.rows(), m = head.mesh.triangles.rows();
+    Points both(2 * n, 3);
+    both << head.mesh.vertices, head.mesh.vertices;
+    both.bottomRows(n).col(2).array() = -both.bottomRows(n).col(2).array() + 20;
+    Triangles triangles(2 * m, 3);
+    triangles << head.mesh.triangles, head.mesh.triangles;
+    triangles.bottomRows(m).array() += static_cast<std::uint32_t>(n);
+    head.mesh.vertices = both;
+    head.mesh.triangles = triangles;
+    for (const Landmark& one : profile_landmarks(head.mesh, head.points))
+        EXPECT_GT(head.mesh.vertices(one.vertex, 2), 50) << one.name;
+}
+
 TEST(ProfileLandmarks, GivenOnesStayAndAreNotDoubled) {
     Sheet sheet;
     sheet.points.push_back({"Nasion", Sheet::at(40)});
