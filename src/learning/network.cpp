@@ -25,11 +25,11 @@ const NetworkProgram& needed(const std::unique_ptr<const NetworkProgram>& progra
     return *program;
 }
 
-void check_sides(const NetworkProgram* program, bool at_input, const FaceFeatures& features,
-                 const char* what) {
-    if (program == nullptr) return;
-    const Index rows = at_input ? program->rows_in() : program->rows_out();
-    const Index channels = at_input ? program->channels_in() : program->channels_out();
+void check_sides(const std::vector<NetworkLayer>& layers, bool at_input,
+                 const FaceFeatures& features, const char* what) {
+    if (layers.empty()) return;
+    const Index rows = at_input ? layers.front().rows_in : layers.back().rows_out;
+    const Index channels = at_input ? layers.front().channels_in : layers.back().channels_out;
     if (rows != features.num_vertices() || channels != features.num_channels())
         fail(Status::bad_format,
              "the network's %s has %lld x %lld features, its statistics %lld x %d", what,
@@ -70,12 +70,13 @@ std::shared_ptr<const Network> Network::make(NetworkLayers layers,
     network->output_ = std::move(output);
     network->origin_ = std::move(origin);
     const NetworkLayers& list = network->layers_;
+    // Before anything is allocated for its sizes.
+    check_sides(list.encoder, true, network->input(), "encoder");
+    check_sides(list.decoder, false, network->output(), "decoder");
     if (!list.encoder.empty())
         network->encoder_ = std::make_unique<NetworkProgram>(list, list.encoder, context);
     if (!list.decoder.empty())
         network->decoder_ = std::make_unique<NetworkProgram>(list, list.decoder, context);
-    check_sides(network->encoder_.get(), true, network->input(), "encoder");
-    check_sides(network->decoder_.get(), false, network->output(), "decoder");
     if (network->output().num_vertices() != network->input().num_vertices())
         fail(Status::bad_format, "the network's input and output are of different templates");
     network->code_size_ = static_cast<Index>(network->encoder_ ? network->encoder_->outputs()

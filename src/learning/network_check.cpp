@@ -167,6 +167,9 @@ class LayerCheck {
         const NetworkTensor& offset = shaped("offset", {-1});
         narrow(offset, kMostMatrices);
         const auto matrices = static_cast<Index>(offset.shape[0]);
+        // Each row of the input is projected on all matrices: a small file must not ask for much.
+        if (layer_.rows_in * matrices > kMostValues)
+            wrong("rows times matrices is more than 67108864");
         shaped("steer", {in(), matrices});
         shaped("weight", {matrices * in(), out()});
         shaped("bias", {out()});

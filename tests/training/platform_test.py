@@ -15,7 +15,7 @@ import unittest
 from pathlib import Path
 
 TRAIN, CONFIGS, WORK = sys.argv[1], Path(sys.argv[2]), Path(sys.argv[3])
-SIDE, PEOPLE = 17, 20
+SIDE, PEOPLE = 25, 20  # 625 vertices
 
 
 def face(person):

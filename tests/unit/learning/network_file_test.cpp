@@ -154,6 +154,22 @@ TEST(NetworkFile, RefusesSizesThatDoNotFitOrAreNoFace) {
     EXPECT_TRUE(refused([](NetworkLayers& n) { n.decoder.erase(n.decoder.begin()); }));
 }
 
+TEST(NetworkFile, RefusesASmallFileThatAsksForMuchMemory) {
+    NetworkOptions options;
+    options.op = NetworkOperator::feastnet;
+    NetworkLayers network = build_network(face_like(14), options, {});
+    network.encoder.front().rows_in = Index(1) << 24;  // its lists name the first rows alone
+    EXPECT_TRUE(is_refused([&] { check_layers(network); }, Status::bad_format));
+    // The same of a layer that needs no room of its own: it does not fit the features.
+    const TriMesh mesh = face_like(14);
+    auto features =
+        FaceFeatures::train(mesh.triangles, face_source(mesh, 3), FeatureKind::euclidean, {});
+    NetworkLayers wide = build_network(mesh, {}, {});
+    wide.encoder.front().rows_in = Index(1) << 24;
+    EXPECT_TRUE(
+        is_refused([&] { Network::make(wide, features, nullptr, {}, {}); }, Status::bad_format));
+}
+
 TEST(NetworkFile, ReadsNoLayerThatItDoesNotKnow) {
     NetworkLayers layers;
     for (const char* text :
