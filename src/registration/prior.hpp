@@ -24,7 +24,7 @@ struct PriorSettings {
     int estimate_scale = -1;
     bool weigh_trained = true;       ///< landmarks may speak against the trained modes [T] "Two
                                      ///< priors, weighed"
-    double clearly = 12;             ///< >= 0: by how much the kernel's cost (pin_prior.hpp) must
+    double clearly = 18;             ///< >= 0: by how much the kernel's cost (pin_prior.hpp) must
                                      ///< be lower [T]
     double residual_sd_mm = 0.7;     ///< mm, > 0: what trained modes leave to the kernel, when its
                                      ///< amplitude is automatic [A]

@@ -20,11 +20,14 @@ KERNEL = "--kernel surface-matern --sigma 40 --nu 1.2 --scale 4 --modes 1500 --m
 CLASSES = {"easy": range(1, 5), "medium": range(5, 9), "hard": range(9, 13)}
 
 
-def run(command):
+def run(command, report=None):
+    """Output and processor seconds. A fit that is judged failed ends with status 1, but has written its report."""
+    if report is not None:
+        report.unlink(missing_ok=True)
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     done = subprocess.run([str(c) for c in command], capture_output=True, text=True)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    if done.returncode != 0:
+    if done.returncode != 0 and (report is None or not report.exists()):
         sys.exit(f"{' '.join(map(str, command))}\n{done.stderr}")
     return done.stdout, after.ru_utime - before.ru_utime
 
@@ -75,7 +78,7 @@ def main():
                        report, "--threads", given.threads, *given.register_options.split()]
             if not mode.startswith("free"):
                 command += ["--landmarks", scan / "landmarks.json"]
-            _, seconds = run(command)
+            _, seconds = run(command, report)
             text, _ = run([sys.executable, tools / "eval_registration.py", "--truth", scan / "truth.safetensors",
                            "--fit", out, "--scan", scan / "scan.ply"])
             result, verdict = json.loads(text), json.load(open(report))

@@ -2,7 +2,7 @@
 """Many fits with known truth: what the verdict's expected error is learned from, and held against.
 
   verdict_fits.py fit MIEN SHARED_DATA MODELS ROWS.jsonl --seeds 3001,3002 [--scans 40] [--per-scan 4] [--population ict]
-  verdict_fits.py learn ROWS.jsonl [ROWS.jsonl ...] --out src/registration/expected_error_table.cpp
+  verdict_fits.py learn ROWS.jsonl [ROWS.jsonl ...] --out src/registration/expected_error_table.cpp [--against OTHERS.jsonl ...]
   verdict_fits.py judge ROWS.jsonl [ROWS.jsonl ...]
 
 fit: cases of verdict_cases.py (people of the seeds; every kind of trouble; with and without landmarks), fitted by models of
@@ -111,6 +111,7 @@ def main():
         p = sub.add_parser(name)
         p.add_argument("rows", nargs="+")
         p.add_argument("--out")
+        p.add_argument("--against", nargs="+", help="learn: rows of other people, to hold the table against")
         p.set_defaults(run=getattr(verdict_table, name))
     a = parser.parse_args()
     a.run(a)

@@ -84,7 +84,7 @@ class Table:
     def curves(self):
         for name in self.knots:
             rise = np.array([r for r, o in zip(self.rise, self.owner) if o == name])
-            value = np.r_[0, np.cumsum(rise)] * (-1 if name in LOWERS else 1)
+            value = np.r_[0, np.cumsum(rise)] * (-1 if name in LOWERS else 1) + 0.
             if np.abs(value).max() >= LEAST_RISE:
                 yield name, self.right[name], self.knots[name], value
 
@@ -140,7 +140,7 @@ def learn(a):
     rows = load(a.rows)
     faces, zones = samples(rows, True), samples(rows, False)
     truth = np.array([d[1] for d in faces])
-    names = ZONE + WHOLE + LOWERS
+    names = tuple(n for n in ZONE if n != "landmark_mm") + WHOLE + LOWERS  # of the face: landmark_misfit tells the same
     face_held = np.exp(across_people(faces, names))
     face_limits = limits(face_held, truth)
     describe("face, people left out", face_held, truth, doubtful=face_limits[0])
@@ -157,8 +157,38 @@ def learn(a):
         m = np.array([d[3] == name for d in zones])
         describe("  " + name, zone_held[m], zone_truth[m], doubtful=zone_limits[0])
     zone = Table([d[0] for d in zones], zone_truth, zone_names)
+    face_spread, zone_spread = ranges(face_held, truth), ranges(zone_held, zone_truth)
     if a.out:
-        write(a.out, rows, (face, ranges(face_held, truth), face_limits), (zone, ranges(zone_held, zone_truth), zone_limits))
+        write(a.out, rows, (face, face_spread, face_limits), (zone, zone_spread, zone_limits))
+    if a.against:
+        hold_against(a.against, (face, face_spread, face_limits), (zone, zone_spread, zone_limits))
+
+
+def hold_against(path, face, zone):
+    """The tables on fits of people that they were not learned from: what the command will say of them."""
+    rows = load(path)
+    expected = {}
+    for label, whole, (table, spread, (doubtful, _)) in (("face", True, face), ("zones", False, zone)):
+        data = samples(rows, whole)
+        if not whole:
+            data = [({**f, "face_mm": expected[id(r)]}, t, r, z) for f, t, r, z in data]
+        e, truth = np.exp(table.log_error([d[0] for d in data])), np.array([d[1] for d in data])
+        if whole:
+            expected = {id(d[2]): x for d, x in zip(data, e)}
+        at, low, high = (np.array(v) for v in zip(*spread))
+        bound = lambda v: e * np.exp(np.interp(e, at, v))
+        describe(f"{label}, other people", e, truth, bound(low), bound(high), doubtful)
+        if not whole:
+            for name in sorted({d[3] for d in data}):
+                m = np.array([d[3] == name for d in data])
+                describe("  " + name, e[m], truth[m], doubtful=doubtful)
+        else:
+            for key in ("population", "model", "marks", "trouble"):
+                for value in sorted({d[2][key] for d in data}):
+                    m = np.array([d[2][key] == value for d in data])
+                    print(f"  {key} {value}: {m.sum()}, truth {np.median(truth[m]):.2f} expected {np.median(e[m]):.2f} mm in the "
+                          f"middle, good {(e[m] <= doubtful).sum()}, beyond {WRONG_MM} mm {(truth[m] > WRONG_MM).sum()}, of these "
+                          f"good {((e <= doubtful) & m & (truth > WRONG_MM)).sum()}")
 
 
 def numbers(values):
