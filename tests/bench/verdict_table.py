@@ -115,9 +115,9 @@ def ranges(expected, truth):
 
 
 def limits(expected, truth):
-    """The largest expectation below which at most a half percent of the wrong are called good; failed: where most err by 3 x that."""
+    """Doubtful: just below the expectation under which a half percent of the wrong would be called good."""
     wrong = np.sort(expected[truth > WRONG_MM])
-    doubtful = float(wrong[int(.005 * len(wrong))]) if len(wrong) else 3.
+    doubtful = .99 * float(wrong[int(.005 * len(wrong))]) if len(wrong) else WRONG_MM
     return doubtful, float(max(2.2 * doubtful, 5.))
 
 
