@@ -110,9 +110,11 @@ std::vector<Landmark> profile_landmarks(const TriMesh& template_mesh,
         const Vector3 from = x - tip;
         return from.z() * -chord.y() + from.y() * chord.z();
     }));
-    const std::uint32_t hollow = profile.best(chin.y(), lip.y(), "sublabiale", backward);
-    add("sublabiale", hollow);
-    add("pogonion", profile.best(chin.y(), profile.at(hollow).y(), "pogonion", forward));
+    // The chin first: below its bulge the profile recedes farther than the hollow above it.
+    const std::uint32_t bulge =
+        profile.best(chin.y(), 0.5 * (chin.y() + lip.y()), "pogonion", forward);
+    add("sublabiale", profile.best(profile.at(bulge).y(), lip.y(), "sublabiale", backward));
+    add("pogonion", bulge);
     return found;
 }
 

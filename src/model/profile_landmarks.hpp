@@ -8,8 +8,8 @@
 //   nasion      least z between the nasal tip and kAboveEyes over the eyes: the hollow of the root
 //   glabella    greatest z from there to kAboveNasion higher
 //   columella   farthest from the chord of tip and base, on the profile between them
-//   sublabiale  least z between the lower lip's border and the chin's lowest point
-//   pogonion    greatest z between sublabiale and there
+//   pogonion    greatest z between the chin's lowest point and half the way to the lower lip's
+//   border sublabiale  least z from there to the lower lip's border
 // On a flat hollow a vertex more or less changes z by little: such a landmark is no better placed
 // than the template's edges are long.
 #pragma once

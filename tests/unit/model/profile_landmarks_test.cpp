@@ -38,7 +38,8 @@ struct Sheet {
         return std::exp(-(y - centre) * (y - centre) / (2 * width * width));
     }
     static double profile(double y) {
-        return 100 + 30 * bump(y, 5, 9) + 4 * bump(y, 58, 8) + 9 * bump(y, -35, 8) +
+        const double under_chin = y < -65 ? 0.02 * (y + 65) * (y + 65) : 0;  // it recedes
+        return 100 - under_chin + 30 * bump(y, 5, 9) + 4 * bump(y, 58, 8) + 9 * bump(y, -35, 8) +
                6 * bump(y, -65, 6);
     }
     static std::uint32_t at(int y, int column = 0) {
