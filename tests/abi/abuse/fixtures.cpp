@@ -231,6 +231,10 @@ std::vector<std::uint64_t> Fixtures::structure(const StructRow& row, std::size_t
     }
     for (const FieldRow& field : row.fields) {
         const std::string label = field.name;
+        if (name == "mien_neutralize_options" && label == "treated")
+            put(bytes, field.offset, zone_.data());
+        if (name == "mien_neutralize_options" && label == "treated_count")
+            put(bytes, field.offset, std::uint64_t{zone_.size()});
         if (label == "progress" && field.kind == Field::callback)
             put(bytes, field.offset, &stop_late);
         // Structs without an init function: a named set of vertices, a place with its noise.
