@@ -4,6 +4,7 @@
 #define MIEN_MIEN_HPP
 
 #include "detail/anthropometry.hpp"
+#include "detail/appearance.hpp"
 #include "detail/core.hpp"
 #include "detail/expression.hpp"
 #include "detail/landmarks.hpp"
