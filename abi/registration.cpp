@@ -131,6 +131,7 @@ std::vector<LandmarkPoint> read_landmarks(const mien_register_options& given) {
 std::vector<LandmarkPoint> as_model_names(std::vector<LandmarkPoint> landmarks,
                                           const DeformationModel& model) {
     std::vector<Mark> marks;
+    marks.reserve(landmarks.size());
     for (const LandmarkPoint& landmark : landmarks)
         marks.push_back({landmark.name, Mark::Where::place, landmark.point, 0});
     const NameMatch match = match_landmark_names(model, marks);

@@ -226,6 +226,7 @@ class DatasetWriter {
     DatasetWriter(const Session& session, const Mesh& topology,
                   const std::vector<std::string>& expression_names) {
         std::vector<const char*> names;
+        names.reserve(expression_names.size());
         for (const std::string& name : expression_names) names.push_back(name.c_str());
         mien_dataset_writer* writer = nullptr;
         detail::call(mien_dataset_writer_create, session.get(), topology.get(), names.data(),

@@ -70,6 +70,7 @@ class ExpressionModel {
                                  const std::vector<std::string>& shard_paths,
                                  TrainOptions options = {}, const Progress& progress = {}) {
         std::vector<const char*> paths;
+        paths.reserve(shard_paths.size());
         for (const std::string& path : shard_paths) paths.push_back(path.c_str());
         detail::ProgressBridge bridge(progress);
         bridge.install(options);
@@ -161,6 +162,7 @@ class Series {
     Series(const Session& session, const ExpressionModel& model, const std::vector<Mesh>& faces,
            SeriesOptions options = {}, const Progress& progress = {}) {
         std::vector<const mien_mesh*> handles;
+        handles.reserve(faces.size());
         for (const Mesh& face : faces) handles.push_back(face.get());
         detail::ProgressBridge bridge(progress);
         bridge.install(options);

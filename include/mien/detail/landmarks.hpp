@@ -25,6 +25,7 @@ class Landmarks {
     }
     explicit Landmarks(const std::vector<LandmarkMark>& places) {
         std::vector<mien_scan_landmark> list;
+        list.reserve(places.size());
         for (const LandmarkMark& one : places)
             list.push_back({one.name.c_str(), {one.position[0], one.position[1], one.position[2]}});
         mien_landmarks* landmarks = nullptr;
@@ -103,6 +104,7 @@ class Zones {
     }
     explicit Zones(const std::vector<ModelZone>& given) {
         std::vector<mien_zone> list;
+        list.reserve(given.size());
         for (const ModelZone& zone : given)
             list.push_back({zone.name.c_str(), zone.vertices.data(), zone.vertices.size()});
         mien_zones* zones = nullptr;

@@ -141,6 +141,7 @@ class Model {
     /// The posterior once landmarks were seen.
     Model condition(const Session& session, const std::vector<LandmarkObservation>& seen) const {
         std::vector<mien_landmark_observation> observations;
+        observations.reserve(seen.size());
         for (const LandmarkObservation& one : seen)
             observations.push_back({one.name.c_str(),
                                     0,

@@ -26,6 +26,7 @@ class Study {
     Study(const Session& session, const std::vector<Registration>& registrations,
           const ExpressionModel* expressions, const StudyOptions& settings = {}) {
         std::vector<const mien_registration*> handles;
+        handles.reserve(registrations.size());
         for (const Registration& fit : registrations) handles.push_back(fit.get());
         make(settings, [&](const mien_study_options* options, mien_study** out, mien_error* error) {
             return mien_study_create(
@@ -39,6 +40,7 @@ class Study {
           const std::vector<double>& normal_sd_mm, const std::vector<double>& weights,
           const ExpressionModel* expressions, const StudyOptions& settings = {}) {
         std::vector<const mien_mesh*> handles;
+        handles.reserve(faces.size());
         for (const Mesh& face : faces) handles.push_back(face.get());
         const mien_array_view sd = view_of(normal_sd_mm), seen = view_of(weights);
         make(settings, [&](const mien_study_options* options, mien_study** out, mien_error* error) {

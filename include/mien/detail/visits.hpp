@@ -32,6 +32,7 @@ class Visits {
     Visits(const Session& session, const ExpressionModel& model, const std::vector<Mesh>& faces,
            VisitsOptions options = {}, const Progress& progress = {}) {
         std::vector<const mien_mesh*> handles;
+        handles.reserve(faces.size());
         for (const Mesh& face : faces) handles.push_back(face.get());
         detail::ProgressBridge bridge(progress);
         bridge.install(options);
