@@ -262,7 +262,7 @@ class FaceFitter {
         const Vector solved = factor.solve(model_.spill.pull_vector(evidence.projection));
         const Vector coordinates = model_.spill.along_modes(solved.head(p), solved.tail(q));
         const Vector g = pose_of(equations, coordinates);
-        const Vector left = distances(moved, coordinates, g, weights);
+        Vector left = distances(moved, coordinates, g, weights);
         turn_back(to_model, g);
         return left;
     }

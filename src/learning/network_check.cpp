@@ -253,10 +253,10 @@ void check_layers(const NetworkLayers& network) {
         network.encoder.back().rows_out * network.encoder.back().channels_out !=
             network.decoder.front().rows_in * network.decoder.front().channels_in)
         fail(Status::bad_format, "the network's decoder takes %lld numbers, its encoder gives %lld",
-             static_cast<long long>(network.decoder.front().rows_in *
-                                    network.decoder.front().channels_in),
-             static_cast<long long>(network.encoder.back().rows_out *
-                                    network.encoder.back().channels_out));
+             static_cast<long long>(network.decoder.front().rows_in) *
+                 static_cast<long long>(network.decoder.front().channels_in),
+             static_cast<long long>(network.encoder.back().rows_out) *
+                 static_cast<long long>(network.encoder.back().channels_out));
     if (!network.variance.empty() &&
         (network.encoder.empty() ||
          network.variance.front().rows_in != network.encoder.back().rows_in ||
