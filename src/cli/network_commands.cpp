@@ -15,7 +15,7 @@ struct NetworkCommand {
     bool neutral = false, distances_only = false;
 };
 
-void run_info(const NetworkCommand& settings) {
+void run_network_info(const NetworkCommand& settings) {
     const Session session(settings.common.num_threads);
     const nlohmann::json report =
         nlohmann::json::parse(Network::load(session, settings.network).json());
@@ -197,16 +197,17 @@ void run_compare(const NetworkCommand& settings) {
     write_report(settings.common, {{"data", settings.data}, {"networks", rows}});
 }
 
-using Settings = std::shared_ptr<NetworkCommand>;
+using NetworkSettings = std::shared_ptr<NetworkCommand>;
 
-CLI::App* add_use(CLI::App* network, const Settings& settings, const char* name, const char* what) {
+CLI::App* add_use(CLI::App* network, const NetworkSettings& settings, const char* name,
+                  const char* what) {
     CLI::App* command = network->add_subcommand(name, what);
     command->add_option("--network", settings->network, "network file of mien-train")->required();
     add_common_options(*command, settings->common);
     return command;
 }
 
-void add_compare(CLI::App* network, const Settings& settings) {
+void add_compare(CLI::App* network, const NetworkSettings& settings) {
     CLI::App* compare =
         network->add_subcommand("compare", "how well networks give back faces of a dataset");
     compare->add_option("--networks", settings->networks, "network files")->required();
@@ -233,7 +234,7 @@ void add_network_commands(CLI::App& app) {
     const auto settings = std::make_shared<NetworkCommand>();
     CLI::App* info = add_use(network, settings, "info", "what a network is: layers, sizes, costs");
     info->footer("Example: mien network info --network spiralnet.safetensors");
-    info->callback([settings] { run_info(*settings); });
+    info->callback([settings] { run_network_info(*settings); });
 
     CLI::App* encode = add_use(network, settings, "encode", "the code of a fitted face");
     encode->add_option("--in", settings->in, "fitted face")->required();
