@@ -149,9 +149,9 @@ void run_asymmetry(const FaceSettings& settings) {
     write_report(settings.common, report);
 }
 
-using SharedSettings = std::shared_ptr<FaceSettings>;
+using SharedFaceSettings = std::shared_ptr<FaceSettings>;
 
-void add_face(CLI::App& command, const SharedSettings& settings) {
+void add_face(CLI::App& command, const SharedFaceSettings& settings) {
     command.add_option("mesh", settings->mesh, "fitted face, or a record of a fit")
         ->required()
         ->check(CLI::ExistingFile);

@@ -4,17 +4,12 @@
 #include <Eigen/Geometry>
 
 #include "base/error.hpp"
+#include "base/median.hpp"
 #include "geometry/alignment.hpp"
 #include "registration/evidence.hpp"
 
 namespace mien {
 namespace {
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 // Pinned places at rest and where they should be, row by row.
 struct PinPairs {

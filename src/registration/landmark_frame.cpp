@@ -3,17 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/median.hpp"
 #include "mesh/length_unit.hpp"
 #include "model/landmarks.hpp"
 
 namespace mien {
 namespace {
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 // Places of known landmarks and of their vertices, row by row.
 struct KnownLandmarks {

@@ -3,16 +3,11 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "base/median.hpp"
 #include "registration/evidence.hpp"
 
 namespace mien {
 namespace {
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 // For each pin the vertex of the model's landmark across the face; its own where there is none.
 std::vector<Index> find_partners(const DeformationModel& model, const std::vector<Pin>& pins,
