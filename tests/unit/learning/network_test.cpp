@@ -15,27 +15,28 @@ namespace {
 std::atomic<std::size_t> num_allocations{0};
 }
 
-void* operator new(std::size_t size) {
+// Not inlined: GCC would take malloc() for the wrong partner of operator delete.
+[[gnu::noinline]] void* operator new(std::size_t size) {
     ++num_allocations;
     if (void* block = std::malloc(size)) return block;
     throw std::bad_alloc();
 }
-void* operator new(std::size_t size, std::align_val_t alignment) {
+[[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment) {
     ++num_allocations;
     const auto unit = static_cast<std::size_t>(alignment);
     if (void* block = std::aligned_alloc(unit, (size + unit - 1) / unit * unit)) return block;
     throw std::bad_alloc();
 }
-void operator delete(void* block) noexcept {
+[[gnu::noinline]] void operator delete(void* block) noexcept {
     std::free(block);
 }
-void operator delete(void* block, std::size_t) noexcept {
+[[gnu::noinline]] void operator delete(void* block, std::size_t) noexcept {
     std::free(block);
 }
-void operator delete(void* block, std::align_val_t) noexcept {
+[[gnu::noinline]] void operator delete(void* block, std::align_val_t) noexcept {
     std::free(block);
 }
-void operator delete(void* block, std::size_t, std::align_val_t) noexcept {
+[[gnu::noinline]] void operator delete(void* block, std::size_t, std::align_val_t) noexcept {
     std::free(block);
 }
 
