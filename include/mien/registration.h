@@ -213,7 +213,7 @@ MIEN_API mien_status MIEN_CALL mien_registration_get_verdict(const mien_registra
  * @owner  nothing
  * @thread thread-safe
  * @cancel no
- * @cost   O(#zones)
+ * @cost   O(number of zones)
  * @since  0.2
  */
 MIEN_API mien_status MIEN_CALL
