@@ -17,7 +17,16 @@ namespace {
 
 using namespace mien;
 
+// Under AddressSanitizer Eigen aligns blocks by hand, which is not counted; every other build
+// counts.
+#if defined(__SANITIZE_ADDRESS__)
+#define MIEN_NEEDS_COUNTED_BLOCKS() GTEST_SKIP() << "Eigen's blocks are not counted in this build"
+#else
+#define MIEN_NEEDS_COUNTED_BLOCKS() static_cast<void>(0)
+#endif
+
 TEST(MemoryBudget, EigensMatricesCountWhileTheyLive) {
+    MIEN_NEEDS_COUNTED_BLOCKS();
     MemoryBudget budget;
     budget.max_bytes = 1 << 20;
     const BudgetScope scope(&budget);
@@ -51,6 +60,7 @@ TEST(MemoryBudget, SparseMatricesCountToo) {
 }
 
 TEST(MemoryBudget, HoldsForAllThreadsOfACallTogether) {
+    MIEN_NEEDS_COUNTED_BLOCKS();
     ThreadPool pool(4);
     Context context;
     context.pool = &pool;
@@ -69,6 +79,7 @@ TEST(MemoryBudget, HoldsForAllThreadsOfACallTogether) {
 }
 
 TEST(MemoryBudget, AnEstimateAddsToWhatIsInUse) {
+    MIEN_NEEDS_COUNTED_BLOCKS();
     MemoryBudget budget;
     Context context;
     context.max_bytes = budget.max_bytes = 100000;
