@@ -4,8 +4,8 @@
 // A QR iteration with vectors (Eigen::SelfAdjointEigenSolver) turns every vector at every step and
 // makes no use of the caches. Here the matrix becomes tridiagonal a panel at a time (Dongarra,
 // Sorensen and Hammarling 1989), the QR iteration gives its eigenvalues alone, inverse iteration
-// gives the vectors that are asked for, and products of matrices carry them back. Below some
-// hundred columns Eigen's solver is as fast and smaller.
+// gives the vectors that are asked for, and products of matrices carry them back. Small
+// matrices go to Eigen's solver.
 #pragma once
 
 #include <memory>

@@ -271,12 +271,12 @@ SearchResult search_pose(const DeformationModel& model, const ScanView& scan,
 
 SearchResult search_pose_and_side(const DeformationModel& model, ScanView& scan,
                                   const SearchSettings& settings, const Context& context) {
-    const SearchResult found = search_pose(model, scan, settings, context);
+    SearchResult found = search_pose(model, scan, settings, context);
     if (found.score >= settings.good) return found;
     Context quiet = context;  // a further search would report the first one's fractions again
     quiet.progress_function = nullptr;
     scan.turn_over();
-    const SearchResult turned = search_pose(model, scan, settings, quiet);
+    SearchResult turned = search_pose(model, scan, settings, quiet);
     if (turned.score > found.score + settings.turned_by) return turned;
     scan.turn_over();
     return found;
