@@ -89,7 +89,7 @@ mien_status MIEN_CALL mien_expression_model_train(mien_session* session, const c
         TrainOptions settings = read_train_options(given);
         const Call call(session, given.progress, given.progress_user, given.cancel);
         auto dataset = std::make_shared<FaceDataset>(FaceDataset::open(
-            checked_text(dataset_path, "dataset_path"), unverified(), call.context()));
+            checked_text(dataset_path, "dataset_path"), digest_alone(), call.context()));
         TrainReport report;
         settings.stable_vertices =
             read_vertices(given.stable_vertices, given.stable_count, dataset->num_vertices(),

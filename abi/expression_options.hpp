@@ -15,10 +15,12 @@ void check_pose(std::int32_t pose);
 mien_train_options given_train_options(const mien_train_options* options);
 /// Without the stable vertices: how many there can be is known once the dataset is open.
 TrainOptions read_train_options(const mien_train_options& given);
-/// Training looks at every face itself; hashing and checking first would read the file twice and
-/// hold all of it in memory.
-inline SafetensorsReadOptions unverified() {
-    return {false, false};
+/// Training looks at every face itself, so only the digest is compared: a damaged dataset would
+/// train another model.
+inline SafetensorsReadOptions digest_alone() {
+    SafetensorsReadOptions options;
+    options.verify_finite = false;
+    return options;
 }
 
 }  // namespace mien::abi

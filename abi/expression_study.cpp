@@ -38,7 +38,7 @@ mien_status MIEN_CALL mien_expression_shard_create(mien_session* session, const 
         const Call call(session, given.progress, given.progress_user, given.cancel);
         const char* target = checked_text(shard_path, "shard_path");
         auto dataset = std::make_shared<FaceDataset>(FaceDataset::open(
-            checked_text(dataset_path, "dataset_path"), unverified(), call.context()));
+            checked_text(dataset_path, "dataset_path"), digest_alone(), call.context()));
         const std::vector<int> subjects = subjects_of_part(*dataset, given.part, given.part_count);
         const std::vector<std::uint32_t> stable =
             read_vertices(given.stable_vertices, given.stable_count, dataset->num_vertices(),

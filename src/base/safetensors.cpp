@@ -1,5 +1,6 @@
-// Reading: the header is checked whole before a byte of data is looked at, then the hash, then the
-// values. Tensors that the file placed out of line for their type are copied; others are borrowed.
+// Reading: the header is checked whole before a byte of data is looked at, then the digest, then
+// the values. Tensors that the file placed out of line for their type are copied; others are
+// borrowed.
 #include "base/safetensors.hpp"
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/json.hpp"
+#include "base/memory_budget.hpp"
 #include "base/parallel.hpp"
 #include "base/safetensors_header.hpp"
 #include "base/sha256.hpp"
@@ -83,18 +85,61 @@ void check_finite(const std::string& name, const TensorView& view, const Context
                     shown_name(name).c_str(), index);
 }
 
-void check_hash(const std::string& expected, const char* data, std::size_t size,
-                const Context& context) {
-    Sha256 hash;
+void update_hash(Sha256& hash, const char* data, std::size_t size, bool give_pages_back,
+                 const Context& context) {
     constexpr std::size_t kChunk = std::size_t(1) << 20;
     for (std::size_t begin = 0; begin < size; begin += kChunk) {
         context.check_cancelled();
-        hash.update(data + begin, std::min(kChunk, size - begin));
+        const std::size_t length = std::min(kChunk, size - begin);
+        hash.update(data + begin, length);
+        if (give_pages_back) release_pages(data + begin, length);
     }
+}
+
+/// Format 2: the whole file, the digest's own characters as zeros.
+void check_digest(const std::string& expected, const char* bytes, std::size_t size,
+                  std::size_t header_size, bool give_pages_back, const Context& context) {
+    const std::string header(bytes + 8, header_size);
+    // The writer's text first: another value might hold the same characters.
+    std::size_t place = header.find("\"digest\":\"" + expected + '"');
+    place = place == std::string::npos ? header.find(expected) : place + 10;
+    if (expected.size() != Sha256::kDigits || place == std::string::npos)
+        fail(Status::corrupt, "the file's digest is not %zu plain characters; get or write it anew",
+             Sha256::kDigits);
+    const std::string zeros(Sha256::kDigits, '0');
+    const char* const digest = bytes + 8 + place;
+    Sha256 hash;
+    update_hash(hash, bytes, static_cast<std::size_t>(digest - bytes), false, context);
+    update_hash(hash, zeros.data(), zeros.size(), false, context);
+    update_hash(hash, digest + Sha256::kDigits,
+                static_cast<std::size_t>(bytes + size - digest) - Sha256::kDigits, give_pages_back,
+                context);
+    if (hash.hex_digest() != expected)
+        fail(Status::corrupt,
+             "the file does not match its digest: it was damaged or edited; get or write it anew");
+}
+
+/// Format 1: the tensors' bytes.
+void check_tensor_hash(const std::string& expected, const char* data, std::size_t size,
+                       bool give_pages_back, const Context& context) {
+    Sha256 hash;
+    update_hash(hash, data, size, give_pages_back, context);
     if (hash.hex_digest() != expected)
         fail(Status::corrupt,
              "the tensors do not match the file's SHA-256: the file was damaged or edited; get or "
              "write it anew");
+}
+
+/// The major version that the metadata tell; 0 where they tell none.
+int format_major(const std::map<std::string, std::string>& metadata) {
+    const auto format = metadata.find("format");
+    if (format == metadata.end()) return 0;
+    int major = 0;
+    for (std::size_t k = 0; k < std::min<std::size_t>(format->second.size(), 6); ++k) {
+        if (format->second[k] < '0' || format->second[k] > '9') break;
+        major = major * 10 + (format->second[k] - '0');
+    }
+    return major;
 }
 
 /// Checks one entry against the type table, its shape and the data's size.
@@ -151,7 +196,31 @@ struct Parsed {
     std::map<std::string, std::string> metadata;
     std::map<std::string, TensorView> tensors;
     std::vector<std::shared_ptr<const void>> copies;
+    std::string warning;
 };
+
+/// Compares the file with its digest, where it has one and as far as the options say.
+void verify(const char* bytes, std::size_t size, std::size_t header_size,
+            const SafetensorsReadOptions& options, const Context& context, Parsed& parsed) {
+    const auto digest = parsed.metadata.find("digest");
+    if (digest != parsed.metadata.end()) {
+        if (options.verify_hash)
+            check_digest(digest->second, bytes, size, header_size, options.give_pages_back,
+                         context);
+        return;
+    }
+    if (format_major(parsed.metadata) >= 2)
+        fail(Status::corrupt,
+             "the file lacks the digest that its format has: it was damaged or edited; get or "
+             "write it anew");
+    parsed.warning =
+        "its names and settings are not covered by a digest (format 1): damage to them goes "
+        "unseen; save it anew";
+    const auto hash = parsed.metadata.find("sha256");
+    if (options.verify_hash && hash != parsed.metadata.end())
+        check_tensor_hash(hash->second, bytes + 8 + header_size, size - 8 - header_size,
+                          options.give_pages_back, context);
+}
 
 Parsed parse(const char* bytes, std::size_t size, const SafetensorsReadOptions& options,
              const Context& context) {
@@ -183,20 +252,16 @@ Parsed parse(const char* bytes, std::size_t size, const SafetensorsReadOptions& 
         parsed.tensors.emplace(entry.name, std::move(view));
     }
 
-    if (options.verify_hash) {
-        const auto hash = parsed.metadata.find("sha256");
-        if (hash != parsed.metadata.end()) check_hash(hash->second, data, data_size, context);
-    }
+    verify(bytes, size, static_cast<std::size_t>(header_size), options, context, parsed);
     for (auto& [name, view] : parsed.tensors) {
         const std::size_t width = dtype_bytes(view.dtype);
         if (reinterpret_cast<std::uintptr_t>(view.data) % width != 0) {
             const std::size_t bytes_needed = static_cast<std::size_t>(view.count) * width;
             context.require_memory(bytes_needed, "copying a tensor that its file misaligns");
-            std::shared_ptr<double> copy(new double[bytes_needed / 8 + 1],
-                                         std::default_delete<double[]>());
+            const std::shared_ptr<char> copy = counted_block(bytes_needed);
             std::memcpy(copy.get(), view.data, bytes_needed);
             view.data = copy.get();
-            parsed.copies.push_back(std::move(copy));
+            parsed.copies.push_back(copy);
         }
         if (options.verify_finite) check_finite(name, view, context);
     }
@@ -214,10 +279,12 @@ std::size_t dtype_bytes(DType dtype) {
 SafetensorsFile SafetensorsFile::open(const std::string& path,
                                       const SafetensorsReadOptions& options,
                                       const Context& context) {
-    const FileBytes bytes = map_file(path);
+    const FileBytes bytes = context.copy_files ? read_whole_file(path, context) : map_file(path);
     try {
         SafetensorsFile file = from_memory(bytes.data, bytes.size, options, context);
         file.source_ = "'" + shown_path(path) + "'";
+        if (!file.warning_.empty() && file.metadata_.count("kind") != 0)
+            context.log(LogLevel::warning, "%s: %s", file.source_.c_str(), file.warning_.c_str());
         struct Owners {
             std::shared_ptr<const void> mapping, copies;
         };
@@ -237,6 +304,7 @@ SafetensorsFile SafetensorsFile::from_memory(const void* data, std::size_t size,
     Parsed parsed = parse(static_cast<const char*>(data), size, options, context);
     SafetensorsFile file;
     file.metadata_ = std::move(parsed.metadata);
+    file.warning_ = std::move(parsed.warning);
     file.tensors_ = std::move(parsed.tensors);
     file.storage_ =
         std::make_shared<std::vector<std::shared_ptr<const void>>>(std::move(parsed.copies));
@@ -282,13 +350,13 @@ void SafetensorsFile::require_kind(const char* kind, int known_major) const {
              shown_name(found->second).c_str(), kind);
     const std::string& format = metadata("format");
     // "major.minor": digits alone, so that no other reading of the text is possible.
-    int major = 0;
     std::size_t digits = 0;
     while (digits < format.size() && digits < 6 && format[digits] >= '0' && format[digits] <= '9')
-        major = major * 10 + (format[digits++] - '0');
+        ++digits;
     if (digits == 0 || (digits < format.size() && format[digits] != '.'))
         fail(Status::bad_format, "the format version '%s' is not 'major.minor'",
              shown_name(format).c_str());
+    const int major = format_major(metadata_);
     if (major < 1 || major > known_major)
         fail(Status::unsupported_version,
              "the %s has format %s; this version reads 1 to %d: use a newer library", kind,

@@ -1,4 +1,4 @@
-// Writing: one header, the tensors without holes, the hash of their bytes in the header.
+// Writing: one header, the tensors without holes, the digest of both in the header.
 #include <algorithm>
 #include <limits>
 #include <numeric>
@@ -128,13 +128,20 @@ void write_safetensors(const std::string& path, const std::vector<TensorToWrite>
                 done += size;
             }
     };
-    Sha256 hash;
-    for_all_bytes(0.0, [&](const char* data, std::size_t size) { hash.update(data, size); });
-    metadata["sha256"] = hash.hex_digest();
+    metadata["format"] = std::to_string(kFormatMajor) + ".0";
     metadata["creator"] = "mien " MIEN_VERSION;
-
-    const std::string header = make_header(tensors, bytes, order, metadata);
+    const std::string unknown(Sha256::kDigits, '0');
+    metadata["digest"] = unknown;
+    std::string header = make_header(tensors, bytes, order, metadata);
     const std::uint64_t header_size = header.size();
+    Sha256 hash;
+    hash.update(&header_size, 8);
+    hash.update(header.data(), header.size());
+    for_all_bytes(0.0, [&](const char* data, std::size_t size) { hash.update(data, size); });
+    // Another value may read the same, so the digest's place is found by its key; no key or value
+    // can look like this, because their quotation marks are escaped.
+    const std::string key = "\"digest\":\"";
+    header.replace(header.find(key + unknown) + key.size(), Sha256::kDigits, hash.hex_digest());
     AtomicFile file(path);
     file.write(&header_size, 8);
     file.write(header);

@@ -9,6 +9,8 @@ namespace mien {
 
 class Sha256 {
   public:
+    static constexpr std::size_t kDigits = 64;  ///< of a hexadecimal digest
+
     Sha256();
     void update(const void* data, std::size_t size);
     /// 64 lower-case hexadecimal digits; the object is spent afterwards.

@@ -15,9 +15,9 @@ namespace {
 constexpr const char* kKind = "mien-expression-model";
 constexpr std::size_t kMostIntensities = 16;
 /// Metadata that the file format itself owns; the rest is the model's `info`.
-const char* const kOwnKeys[] = {
-    "kind",    "format", "units", "sha256", "creator", "component_names", "expression_names",
-    "topology"};
+const char* const kOwnKeys[] = {"kind",    "format",  "units",           "sha256",
+                                "digest",  "creator", "component_names", "expression_names",
+                                "topology"};
 
 const TensorView& read_tensor(const SafetensorsFile& file, const char* name, DType dtype,
                               const std::vector<std::int64_t>& shape) {
@@ -146,7 +146,7 @@ std::shared_ptr<const ExpressionModel> load_expression_model(const std::string& 
 }
 
 std::shared_ptr<const ExpressionModel> read_expression_model(const SafetensorsFile& file) {
-    file.require_kind(kKind, 1);
+    file.require_kind(kKind);
     auto model = std::make_shared<ExpressionModel>();
 
     const TensorView& mean = read_tensor(file, "mean", DType::f64, {-1, 3});
@@ -201,6 +201,7 @@ std::shared_ptr<const ExpressionModel> read_expression_model(const SafetensorsFi
         parse_json_string_list(file.metadata("expression_names"), "expression_names");
     model->info = file.metadata();
     for (const char* key : kOwnKeys) model->info.erase(key);
+    if (!file.warning().empty()) model->info[kFileWarning] = file.warning();
     model->storage = file.storage();
     finish_expression_model(*model);
     return model;
@@ -233,8 +234,8 @@ void save_expression_model(const std::string& path, const ExpressionModel& model
         follows.insert(follows.end(), own.data(), own.data() + own.size());
     }
     std::map<std::string, std::string> metadata = model.info;
+    metadata.erase(kFileWarning);  // the new file is a better one
     metadata["kind"] = kKind;
-    metadata["format"] = "1.0";
     metadata["units"] = "millimetres";
     metadata["component_names"] = json_string_list(names);
     metadata["expression_names"] = json_string_list(model.expression_names);

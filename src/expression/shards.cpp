@@ -42,7 +42,7 @@ class ShardColumns final : public ColumnSource {
     void append(const std::string& path, const SafetensorsReadOptions& options,
                 const Context& context) {
         const SafetensorsFile file = SafetensorsFile::open(path, options, context);
-        file.require_kind(kKind, 1);
+        file.require_kind(kKind);
         const TensorView& basis = file.tensor("basis", DType::f64, {-1, -1, 3});
         const Index rank = static_cast<Index>(basis.shape[0]),
                     n = static_cast<Index>(basis.shape[1]);
@@ -177,7 +177,6 @@ ShardReport write_expression_shard(const std::string& path, const ColumnSource& 
     }
     write_safetensors(path, tensors,
                       {{"kind", kKind},
-                       {"format", "1.0"},
                        {"units", "millimetres"},
                        {"expression_names", json_string_list(source.expression_names)}},
                       context);

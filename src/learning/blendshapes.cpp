@@ -129,10 +129,12 @@ std::shared_ptr<const BlendshapeModel> BlendshapeModel::train(const TrianglesRef
     model->differential_input_.resize(pairs.count, 9 * n);
     model->differential_output_.resize(pairs.count, 9 * n);
     model->neutral_statistics_ = feature_statistics(pairs.count, [&](Index k) -> Features {
+        context.check_cancelled();
         pairs.pair(k, neutral, expression);
         return align_points(neutral, model->mean_.vertices, {}, false).apply(neutral);
     });
     model->deformation_statistics_ = feature_statistics(pairs.count, [&](Index k) {
+        context.check_cancelled();
         pairs.pair(k, neutral, expression);
         const Points aligned =
             align_points(neutral, model->mean_.vertices, {}, false).apply(neutral);
@@ -238,14 +240,14 @@ void BlendshapeModel::save(const std::string& path, const Context& context) cons
           DType::u32,
           {static_cast<std::uint64_t>(mean_.triangles.rows()), 3},
           mean_.triangles.data()}},
-        {{"kind", "mien-blendshape-model"}, {"format", "1.0"}, {"units", "millimetres"}}, context);
+        {{"kind", "mien-blendshape-model"}, {"units", "millimetres"}}, context);
 }
 
 std::shared_ptr<const BlendshapeModel> BlendshapeModel::load(const std::string& path,
                                                              const SafetensorsReadOptions& options,
                                                              const Context& context) {
     const SafetensorsFile file = SafetensorsFile::open(path, options, context);
-    file.require_kind("mien-blendshape-model", 1);
+    file.require_kind("mien-blendshape-model");
     auto model = std::make_shared<BlendshapeModel>();
     const TensorView& mean = file.tensor("mean_shape", DType::f64, {-1, 3});
     const auto n = static_cast<std::int64_t>(mean.shape[0]);
@@ -341,6 +343,7 @@ std::vector<BandChoice> search_band_limit(const BlendshapeModel& model, const Sp
         }
     }
     mark_front(choices);
+    context.progress(Stage::fitting, 1.0);
     return choices;
 }
 

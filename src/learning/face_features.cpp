@@ -233,8 +233,8 @@ void FaceFeatures::append_to(const std::string& prefix, std::vector<TensorToWrit
 
 void FaceFeatures::save(const std::string& path, const Context& context) const {
     std::vector<TensorToWrite> tensors;
-    std::map<std::string, std::string> metadata{
-        {"kind", "mien-face-features"}, {"format", "1.0"}, {"units", "millimetres"}};
+    std::map<std::string, std::string> metadata{{"kind", "mien-face-features"},
+                                                {"units", "millimetres"}};
     append_to("", tensors, metadata);
     write_safetensors(path, tensors, std::move(metadata), context);
 }
@@ -243,7 +243,7 @@ std::shared_ptr<const FaceFeatures> FaceFeatures::load(const std::string& path,
                                                        const SafetensorsReadOptions& options,
                                                        const Context& context) {
     const SafetensorsFile file = SafetensorsFile::open(path, options, context);
-    file.require_kind("mien-face-features", 1);
+    file.require_kind("mien-face-features");
     return read(file, "");
 }
 

@@ -223,7 +223,6 @@ void save_mesh_hierarchy(const std::string& path, const MeshHierarchy& hierarchy
                      });
     write_safetensors(path, tensors,
                       {{"kind", "mien-mesh-hierarchy"},
-                       {"format", "1.0"},
                        {"units", "millimetres"},
                        {"sampling", hierarchy.kind},
                        {"levels", std::to_string(hierarchy.levels.size())}},
@@ -234,7 +233,7 @@ std::shared_ptr<const MeshHierarchy> load_mesh_hierarchy(const std::string& path
                                                          const SafetensorsReadOptions& options,
                                                          const Context& context) {
     const SafetensorsFile file = SafetensorsFile::open(path, options, context);
-    file.require_kind("mien-mesh-hierarchy", 1);
+    file.require_kind("mien-mesh-hierarchy");
     auto hierarchy = std::make_shared<MeshHierarchy>();
     hierarchy->kind = file.metadata("sampling");
     for (int l = 0; l <= 32 && file.has("vertices_" + std::to_string(l)); ++l) {

@@ -91,7 +91,7 @@ std::shared_ptr<const Network> Network::load(const std::string& path,
 }
 
 std::shared_ptr<const Network> Network::read(const SafetensorsFile& file, const Context& context) {
-    file.require_kind(kNetworkKind, 1);
+    file.require_kind(kNetworkKind);
     NetworkLayers layers;
     read_layers_json(file.metadata("layers"), layers);
     for (const auto* list : {&layers.encoder, &layers.decoder, &layers.variance})
@@ -124,7 +124,6 @@ std::shared_ptr<const Network> Network::read(const SafetensorsFile& file, const 
 void Network::save(const std::string& path, const Context& context) const {
     std::vector<TensorToWrite> tensors;
     std::map<std::string, std::string> metadata{{"kind", kNetworkKind},
-                                                {"format", "1.0"},
                                                 {"units", "millimetres"},
                                                 {"layers", layers_json(layers_)},
                                                 {"name", origin_.name}};

@@ -71,14 +71,13 @@ void save_score_model(const std::string& path, const ScoreModel& m, const Contex
                            DType::f64,
                            {static_cast<std::uint64_t>(kShapeFeatures)},
                            m.shape_scale.data()});
-    write_safetensors(path, tensors,
-                      {{"kind", "mien-score-model"}, {"format", "1.0"}, {"units", "mm"}}, context);
+    write_safetensors(path, tensors, {{"kind", "mien-score-model"}, {"units", "mm"}}, context);
 }
 
 ScoreModel load_score_model(const std::string& path, const SafetensorsReadOptions& options,
                             const Context& context) {
     const SafetensorsFile file = SafetensorsFile::open(path, options, context);
-    file.require_kind("mien-score-model", 1);
+    file.require_kind("mien-score-model");
     ScoreModel m;
     m.mean_face = read_points(file, "mean_face", -1);
     const std::int64_t v = m.mean_face.rows();

@@ -33,12 +33,14 @@ int neutral_of(const std::vector<std::string>& names) {
 
 FaceDataset FaceDataset::open(const std::string& path, const SafetensorsReadOptions& options,
                               const Context& context) {
-    const FileBytes bytes = map_file(path);
+    const FileBytes bytes = context.copy_files ? read_whole_file(path, context) : map_file(path);
     try {
+        SafetensorsReadOptions reading = options;
+        reading.give_pages_back = !context.copy_files;
         const SafetensorsFile file =
-            SafetensorsFile::from_memory(bytes.data, bytes.size, options, context);
+            SafetensorsFile::from_memory(bytes.data, bytes.size, reading, context);
         // Other programs' datasets do not say what they are; ours, and our other files, do.
-        if (file.metadata().count("kind") != 0) file.require_kind("mien-face-dataset", 1);
+        if (file.metadata().count("kind") != 0) file.require_kind("mien-face-dataset");
         FaceDataset set;
         const DType dtype =
             file.has("vertices") && file.tensors().at("vertices").dtype == DType::f64 ? DType::f64
@@ -84,7 +86,9 @@ FaceDataset FaceDataset::open(const std::string& path, const SafetensorsReadOpti
         set.units_ = units == file.metadata().end() ? "millimetres" : units->second;
         set.to_mm_ = millimetres_per(set.units_);
         const auto* vertices = static_cast<const char*>(set.vertices_.data);
-        set.mapped_ = vertices >= bytes.data && vertices < bytes.data + bytes.size;
+        // Pages of a copy do not come back once they are given up.
+        set.mapped_ =
+            !context.copy_files && vertices >= bytes.data && vertices < bytes.data + bytes.size;
         set.storage_ = std::make_shared<std::vector<std::shared_ptr<const void>>>(
             std::vector<std::shared_ptr<const void>>{bytes.storage, file.storage()});
         return set;
@@ -172,7 +176,6 @@ void FaceDatasetWriter::save(const std::string& path, const Context& context) co
                         {static_cast<std::uint64_t>(triangles_.rows()), 3},
                         triangles_.data()}},
                       {{"kind", "mien-face-dataset"},
-                       {"format", "1.0"},
                        {"units", "millimetres"},
                        {"expression_names", json_string_list(expression_names_)}},
                       context);

@@ -11,7 +11,6 @@ namespace mien {
 namespace {
 
 constexpr const char* kKind = "mien-deformation-model";
-constexpr int kMajor = 1;
 constexpr std::uint64_t kAlignment = 64;
 const char* const kInfoPrefix = "info.";
 
@@ -97,7 +96,7 @@ std::shared_ptr<const DeformationModel> load_deformation_model(
 }
 
 std::shared_ptr<const DeformationModel> read_deformation_model(const SafetensorsFile& file) {
-    file.require_kind(kKind, kMajor);
+    file.require_kind(kKind);
     auto model = std::make_shared<DeformationModel>();
     read_template(file, model->template_mesh);
     const std::int64_t n = model->num_vertices();
@@ -132,6 +131,7 @@ std::shared_ptr<const DeformationModel> read_deformation_model(const Safetensors
     for (const auto& [key, value] : file.metadata())
         if (key.compare(0, prefix.size(), prefix) == 0)
             model->info[key.substr(prefix.size())] = value;
+    if (!file.warning().empty()) model->info[kFileWarning] = file.warning();
     model->storage = file.storage();
     return model;
 }
@@ -166,9 +166,10 @@ void save_deformation_model(const std::string& path, const DeformationModel& mod
 
     std::map<std::string, std::string> metadata;
     metadata["kind"] = kKind;
-    metadata["format"] = "1.0";
     metadata["units"] = "millimetres";
-    for (const auto& [key, value] : model.info) metadata[kInfoPrefix + key] = value;
+    for (const auto& [key, value] : model.info)
+        if (key != kFileWarning)
+            metadata[kInfoPrefix + key] = value;  // the new file is a better one
 
     std::vector<std::uint32_t> landmark_vertices, zone_vertices, zone_sizes;
     std::vector<std::string> landmark_names, zone_names;

@@ -10,7 +10,6 @@ namespace mien {
 namespace {
 
 constexpr const char* kKind = "mien-fit-record";
-constexpr int kMajor = 1;
 constexpr std::int64_t kNumVerdict = 15, kNumMotion = 13;
 constexpr std::int64_t kNumWhole = 12, kNumZone = 8, kNumExpected = 5;
 
@@ -263,7 +262,7 @@ void save_fit_record(const std::string& path, const TriMesh& mesh, const Registr
     check_fit(mesh, fit, Status::invalid_argument);
     const std::uint64_t n = size_of(mesh.vertices.rows());
     Writing out;
-    out.metadata = {{"kind", kKind}, {"format", "1.0"}, {"units", "millimetres"}};
+    out.metadata = {{"kind", kKind}, {"units", "millimetres"}};
     add_names(out, fit, zones);
     out.verdict = numbers_of(fit.verdict, fit);
     out.verdict.push_back(fit.sigma_mm);
@@ -305,7 +304,7 @@ FitRecord load_fit_record(const std::string& path, const Context& context) {
 }
 
 FitRecord read_fit_record(const SafetensorsFile& file) {
-    file.require_kind(kKind, kMajor);
+    file.require_kind(kKind);
     FitRecord record;
     TriMesh& mesh = record.mesh;
     RegistrationResult& fit = record.fit;

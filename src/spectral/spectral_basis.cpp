@@ -70,7 +70,8 @@ std::shared_ptr<const SpectralBasis> build_spectral_basis(const TriMesh& mean_me
     LaplaceOperator laplace =
         build_laplacian(mean_mesh.vertices, mean_mesh.triangles, options.laplacian);
     if (!options.with_mass) laplace.mass.setOnes();
-    EigenPairs pairs = smallest_eigenpairs(laplace, k, context);
+    EigenPairs pairs = smallest_eigenpairs(
+        laplace, k, context, [&](double share) { context.progress(Stage::basis, 0.95 * share); });
 
     auto basis = std::make_shared<SpectralBasis>();
     basis->mean_mesh.vertices = mean_mesh.vertices;
@@ -96,7 +97,7 @@ std::shared_ptr<const SpectralBasis> load_spectral_basis(const std::string& path
                                                          const SafetensorsReadOptions& options,
                                                          const Context& context) {
     const SafetensorsFile file = SafetensorsFile::open(path, options, context);
-    file.require_kind("mien-spectral-basis", 1);
+    file.require_kind("mien-spectral-basis");
     const TensorView& mean = file.tensor("mean", DType::f64, {-1, 3});
     const auto n = static_cast<std::int64_t>(mean.shape[0]);
     const TensorView& vectors = file.tensor("vectors", DType::f64, {n, -1});
@@ -135,7 +136,6 @@ void save_spectral_basis(const std::string& path, const SpectralBasis& basis,
                        {"mean", DType::f64, {n, 3}, basis.mean_mesh.vertices.data()},
                        {"triangles", DType::u32, {m, 3}, basis.mean_mesh.triangles.data()}},
                       {{"kind", "mien-spectral-basis"},
-                       {"format", "1.0"},
                        {"units", "millimetres"},
                        {"mass", basis.mass_kind},
                        {"negative_cotangents", basis.negative_kind}},
