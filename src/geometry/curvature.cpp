@@ -149,7 +149,8 @@ Local fit_vertex(const PointsRef& vertices, const std::vector<std::uint32_t>& ne
 }  // namespace
 
 CurvatureField estimate_curvature(const PointsRef& vertices, const TrianglesRef& triangles,
-                                  const CurvatureOptions& options, const Context& context) {
+                                  const CurvatureOptions& options, const Context& context,
+                                  const std::function<void(double)>& progress) {
     if (!(options.radius_mm > 0) || !std::isfinite(options.radius_mm))
         fail(Status::invalid_argument, "a curvature radius of %g mm; give a positive one",
              options.radius_mm);
@@ -159,21 +160,29 @@ CurvatureField estimate_curvature(const PointsRef& vertices, const TrianglesRef&
     CurvatureField field;
     field.maximal = field.minimal = Vector::Zero(num_vertices);
     field.direction = field.normals = Points::Zero(num_vertices, 3);
-    parallel_for(context, static_cast<std::size_t>(num_vertices), 2048,
-                 [&](std::size_t begin, std::size_t end) {
-                     Gatherer gatherer(vertices, rings);
-                     for (std::size_t i = begin; i < end; ++i) {
-                         const Index v = static_cast<Index>(i);
-                         const auto& near =
-                             gatherer.gather(static_cast<std::uint32_t>(i), options.radius_mm);
-                         const Local local = fit_vertex(vertices, near, start_normals.row(v),
-                                                        gatherer.radius(), options.robust);
-                         field.maximal[v] = local.maximal;
-                         field.minimal[v] = local.minimal;
-                         field.direction.row(v) = local.direction;
-                         field.normals.row(v) = local.normal;
-                     }
-                 });
+    // A part at a time, so that the host sees progress.
+    constexpr std::size_t kPart = 16384, kChunk = 2048, kCancelEvery = 128;
+    const auto all = static_cast<std::size_t>(num_vertices);
+    for (std::size_t first = 0; first < all; first += kPart) {
+        if (progress) progress(static_cast<double>(first) / static_cast<double>(all));
+        parallel_for(context, std::min(kPart, all - first), kChunk,
+                     [&](std::size_t begin, std::size_t end) {
+                         Gatherer gatherer(vertices, rings);
+                         for (std::size_t i = first + begin; i < first + end; ++i) {
+                             if (i % kCancelEvery == 0) context.check_cancelled();
+                             const Index v = static_cast<Index>(i);
+                             const auto& near =
+                                 gatherer.gather(static_cast<std::uint32_t>(i), options.radius_mm);
+                             const Local local = fit_vertex(vertices, near, start_normals.row(v),
+                                                            gatherer.radius(), options.robust);
+                             field.maximal[v] = local.maximal;
+                             field.minimal[v] = local.minimal;
+                             field.direction.row(v) = local.direction;
+                             field.normals.row(v) = local.normal;
+                         }
+                     });
+    }
+    if (progress) progress(1);
     field.mean = 0.5 * (field.maximal + field.minimal);
     field.gaussian = field.maximal.cwiseProduct(field.minimal);
     return field;

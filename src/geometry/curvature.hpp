@@ -14,6 +14,8 @@
 // both curvatures 1 / r).
 #pragma once
 
+#include <functional>
+
 #include "base/context.hpp"
 #include "base/types.hpp"
 
@@ -36,7 +38,9 @@ struct CurvatureField {
 /// Vertices with fewer than 6 neighbours on their component get zero curvature. Parallel over
 /// vertices, same bits for any thread count. About 0.1 ms a vertex at 30 neighbours. Throws
 /// Status::invalid_argument for a radius that is not positive; indices must be in range.
+/// `progress`, where given, is called on the calling thread with the share that is done.
 CurvatureField estimate_curvature(const PointsRef& vertices, const TrianglesRef& triangles,
-                                  const CurvatureOptions& options, const Context& context);
+                                  const CurvatureOptions& options, const Context& context,
+                                  const std::function<void(double)>& progress = {});
 
 }  // namespace mien

@@ -26,9 +26,10 @@
 namespace mien {
 namespace {
 
-constexpr Index kSliceWidth = 80;  // balances solves against orthogonalisation (measured)
-constexpr Index kOverlap = 6;      // pairs that neighbouring slices both find
-constexpr Index kDenseSize = 320;  // below this a dense solver is faster than one slice
+constexpr Index kSliceWidth = 80;          // balances solves against orthogonalisation (measured)
+constexpr Index kOverlap = 6;              // pairs that neighbouring slices both find
+constexpr Index kDenseSize = 320;          // below this a dense solver is faster than one slice
+constexpr std::size_t kSlicesAtATime = 8;  // between two reports of progress
 
 struct Problem {
     SparseMatrix a;  // lower triangle and diagonal, in fill-reducing order
@@ -292,7 +293,8 @@ Index cut_between(const Eigen::Ref<const Vector>& left_values,
 }
 
 /// Fills the columns of `pairs` behind the null space, in factor order, as vectors of A.
-void sliced_pairs(const Problem& problem, Index k, EigenPairs& pairs, const Context& context) {
+void sliced_pairs(const Problem& problem, Index k, EigenPairs& pairs, const Context& context,
+                  const std::function<void(double)>& progress) {
     const Index n = problem.a.rows(), kernel = problem.kernel.num_components;
     std::vector<Shift> shifts = place_shifts(problem, k, context);
     const std::size_t num_slices = shifts.size();
@@ -311,11 +313,18 @@ void sliced_pairs(const Problem& problem, Index k, EigenPairs& pairs, const Cont
         }
     }
     std::vector<SlicePairs> slices(num_slices);
-    parallel_for(context, num_slices, 1, [&](std::size_t i, std::size_t) {
-        slices[i] = slice_eigenpairs(*shifts[i].factor, problem.kernel, below[i], above[i],
-                                     0x6d69656eull + i, context);
-        shifts[i].factor.reset();
-    });
+    // A few at a time, so that the host sees progress.
+    for (std::size_t first = 0; first < num_slices; first += kSlicesAtATime) {
+        progress(0.15 + 0.7 * static_cast<double>(first) / static_cast<double>(num_slices));
+        const std::size_t count = std::min(kSlicesAtATime, num_slices - first);
+        parallel_for(context, count, 1, [&](std::size_t k_of_batch, std::size_t) {
+            const std::size_t i = first + k_of_batch;
+            slices[i] = slice_eigenpairs(*shifts[i].factor, problem.kernel, below[i], above[i],
+                                         0x6d69656eull + i, context);
+            shifts[i].factor.reset();
+        });
+    }
+    progress(0.85);
 
     std::vector<Share> shares(num_slices);
     for (std::size_t i = 0; i < num_slices; ++i) shares[i].end = slices[i].values.size();
@@ -361,7 +370,12 @@ void sliced_pairs(const Problem& problem, Index k, EigenPairs& pairs, const Cont
 
 }  // namespace
 
-EigenPairs smallest_eigenpairs(const LaplaceOperator& laplace, Index k, const Context& context) {
+EigenPairs smallest_eigenpairs(const LaplaceOperator& laplace, Index k, const Context& context,
+                               const std::function<void(double)>& progress) {
+    const auto report = [&](double share) {
+        context.check_cancelled();
+        if (progress) progress(share);
+    };
     const Index n = laplace.stiffness.rows();
     if (laplace.stiffness.cols() != n || laplace.mass.size() != n)
         fail(Status::mismatch, "stiffness of %lld rows with %lld masses", static_cast<long long>(n),
@@ -376,7 +390,12 @@ EigenPairs smallest_eigenpairs(const LaplaceOperator& laplace, Index k, const Co
             if (!std::isfinite(it.value()))
                 fail_at(Status::invalid_argument, j, "the stiffness of vertex %lld is not finite",
                         static_cast<long long>(j));
-    if (n <= kDenseSize) return dense_pairs(laplace, k);
+    report(0);
+    if (n <= kDenseSize) {
+        EigenPairs pairs = dense_pairs(laplace, k);
+        report(1);
+        return pairs;
+    }
 
     context.require_memory(static_cast<std::size_t>(n) * static_cast<std::size_t>(k) * 3 * 8,
                            "the eigenvectors of the Laplacian");
@@ -388,7 +407,8 @@ EigenPairs smallest_eigenpairs(const LaplaceOperator& laplace, Index k, const Co
     for (Index i = 0; i < n; ++i)
         if (problem.kernel.component[i] < kernel)
             pairs.vectors(i, problem.kernel.component[i]) = problem.kernel.direction[i];
-    if (kernel < k) sliced_pairs(problem, k, pairs, context);
+    report(0.05);
+    if (kernel < k) sliced_pairs(problem, k, pairs, context, report);
 
     // Rayleigh quotients square the error of the vectors; residuals are the last word.
     pairs.values = Vector::Zero(k);
@@ -437,6 +457,7 @@ EigenPairs smallest_eigenpairs(const LaplaceOperator& laplace, Index k, const Co
             pairs.values[at] = held_value;
             order[at] = at;
         }
+    report(1);
     return pairs;
 }
 

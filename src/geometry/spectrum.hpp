@@ -3,6 +3,8 @@
 // double.
 #pragma once
 
+#include <functional>
+
 #include "base/context.hpp"
 #include "geometry/laplacian.hpp"
 
@@ -15,7 +17,9 @@ struct EigenPairs {
 
 /// The k smallest eigenpairs of stiffness u = lambda mass u. Deterministic, same bits for any
 /// thread count. Throws Status::invalid_argument for k < 1 or k >= #V, Status::no_solution when a
-/// factorisation or an iteration fails (the message names the shift).
-EigenPairs smallest_eigenpairs(const LaplaceOperator& laplace, Index k, const Context& context);
+/// factorisation or an iteration fails (the message names the shift). `progress`, where given, is
+/// called on the calling thread with the share that is done, 0 to 1.
+EigenPairs smallest_eigenpairs(const LaplaceOperator& laplace, Index k, const Context& context,
+                               const std::function<void(double)>& progress = {});
 
 }  // namespace mien

@@ -33,6 +33,7 @@ class BlockLanczos {
           block_(n, kSolveBlock),
           projected_(Matrix::Zero(capacity, capacity)) {
         serial_.cancel = context.cancel;
+        serial_.deadline = context.deadline;
         for (int c = 0; c < kSolveBlock; ++c) fill_random(block_.col(c));
         kernel_.remove(block_);
         orthonormalise(coupling_);
@@ -240,6 +241,7 @@ SlicePairs slice_eigenpairs(const ShiftedFactor& factor, const KernelProjector& 
     pairs.num_below = below;
     Context serial;
     serial.cancel = context.cancel;
+    serial.deadline = context.deadline;
     dense::multiply(serial, 1.0, lanczos.space().leftCols(m), dense::Op::none, weights,
                     dense::Op::none, 0.0, pairs.vectors);
     for (Index i = 0; i < wanted; ++i)

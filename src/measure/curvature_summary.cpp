@@ -43,7 +43,9 @@ CurvatureReport measure_curvature(const PointsRef& vertices, const TrianglesRef&
     check_surface(vertices, triangles, "the surface");
     check_zones(zones, vertices.rows());
     CurvatureReport report;
-    report.field = estimate_curvature(vertices, triangles, options, context);
+    report.field = estimate_curvature(vertices, triangles, options, context, [&](double share) {
+        context.progress(Stage::measuring, share);
+    });
     const Vector areas = vertex_areas(vertices, triangles);
     const std::vector<char> all(static_cast<std::size_t>(vertices.rows()), 1);
     report.whole = summary_of(report.field, areas, all, "whole");

@@ -166,7 +166,8 @@ KernelBlocks::KernelBlocks(const TriMesh& mesh, std::vector<std::uint32_t> contr
         const LaplaceOperator laplace =
             build_laplacian(mesh.vertices, mesh.triangles, LaplacianOptions{});
         pairs_ =
-            smallest_eigenpairs(laplace, std::min(num_pairs, mesh.vertices.rows() - 1), context);
+            smallest_eigenpairs(laplace, std::min(num_pairs, mesh.vertices.rows() - 1), context,
+                                [&](double share) { context.progress(Stage::geodesics, share); });
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "base/progress_part.hpp"
 #include "base/scalar_math.hpp"
 #include "geometry/alignment.hpp"
 #include "geometry/normals.hpp"
@@ -273,10 +274,10 @@ SearchResult search_pose_and_side(const DeformationModel& model, ScanView& scan,
                                   const SearchSettings& settings, const Context& context) {
     SearchResult found = search_pose(model, scan, settings, context);
     if (found.score >= settings.good) return found;
-    Context quiet = context;  // a further search would report the first one's fractions again
-    quiet.progress_function = nullptr;
+    // A further search goes on in what the start as a whole reports.
+    const ProgressPart further(context, 0.45, 0.85);
     scan.turn_over();
-    SearchResult turned = search_pose(model, scan, settings, quiet);
+    SearchResult turned = search_pose(model, scan, settings, further.context());
     if (turned.score > found.score + settings.turned_by) return turned;
     scan.turn_over();
     return found;
