@@ -21,8 +21,9 @@ constexpr unsigned kHubValence = 128;
 /// nothing.
 class DecimatedHalfEdges : public HalfEdgeMesh {
   public:
-    explicit DecimatedHalfEdges(const HalfEdgeMesh& mesh)
-        : HalfEdgeMesh(mesh), hub_(mesh.n_vertices()) {
+    DecimatedHalfEdges(const TriMesh& mesh, const Context& context) {
+        fill_half_edge_mesh(mesh, "the mesh to decimate", *this, context);
+        hub_.resize(n_vertices());
         for (const auto v : vertices())
             hub_[static_cast<std::size_t>(v.idx())] = valence(v) > kHubValence;
     }
@@ -81,6 +82,17 @@ class BorderModule : public OpenMesh::Decimater::ModBaseT<MeshT> {
     }
 };
 
+/// Decimater::add() forgets the module that it made when there is no memory to list it.
+template <typename Decimater, typename Handle>
+void add_module(Decimater& decimater, Handle& handle) {
+    try {
+        decimater.add(handle);
+    } catch (...) {
+        if (handle.is_valid()) delete &decimater.module(handle);
+        throw;
+    }
+}
+
 }  // namespace
 
 DecimatedMesh decimate(const TriMesh& mesh, Index num_vertices, const Context& context) {
@@ -90,7 +102,7 @@ DecimatedMesh decimate(const TriMesh& mesh, Index num_vertices, const Context& c
              static_cast<long long>(num_vertices));
     context.check_cancelled();
     context.require_memory(static_cast<std::size_t>(mesh.vertices.rows()) * 600, "decimation");
-    DecimatedHalfEdges half_edges(build_half_edge_mesh(mesh, "the mesh to decimate", context));
+    DecimatedHalfEdges half_edges(mesh, context);
     OpenMesh::VPropHandleT<std::uint32_t> original;
     half_edges.add_property(original);
     for (Index v = 0; v < mesh.vertices.rows(); ++v)
@@ -99,8 +111,8 @@ DecimatedMesh decimate(const TriMesh& mesh, Index num_vertices, const Context& c
     OpenMesh::Decimater::DecimaterT<DecimatedHalfEdges> decimater(half_edges);
     OpenMesh::Decimater::ModQuadricT<DecimatedHalfEdges>::Handle quadric;
     BorderModule<DecimatedHalfEdges>::Handle border;
-    decimater.add(quadric);
-    decimater.add(border);
+    add_module(decimater, quadric);
+    add_module(decimater, border);
     decimater.module(quadric).unset_max_err();
     if (!decimater.initialize()) fail(Status::internal, "the decimation modules do not fit");
     Watch watch(context);

@@ -50,13 +50,13 @@ void check_manifold(const TriMesh& mesh, const char* what, const Context& contex
 
 }  // namespace
 
-HalfEdgeMesh build_half_edge_mesh(const TriMesh& mesh, const char* what, const Context& context) {
+void fill_half_edge_mesh(const TriMesh& mesh, const char* what, HalfEdgeMesh& half_edges,
+                         const Context& context) {
     check_mesh(mesh, what);
     check_manifold(mesh, what, context);
     silence_openmesh();
     const std::size_t num_vertices = static_cast<std::size_t>(mesh.vertices.rows());
     const std::size_t num_triangles = static_cast<std::size_t>(mesh.triangles.rows());
-    HalfEdgeMesh half_edges;
     half_edges.reserve(num_vertices, num_vertices + num_triangles, num_triangles);
     for (Index v = 0; v < mesh.vertices.rows(); ++v)
         half_edges.add_vertex({mesh.vertices(v, 0), mesh.vertices(v, 1), mesh.vertices(v, 2)});
@@ -68,6 +68,11 @@ HalfEdgeMesh build_half_edge_mesh(const TriMesh& mesh, const char* what, const C
             fail_at(Status::invalid_mesh, t, "%s: triangle %lld does not fit its neighbours", what,
                     static_cast<long long>(t));
     }
+}
+
+HalfEdgeMesh build_half_edge_mesh(const TriMesh& mesh, const char* what, const Context& context) {
+    HalfEdgeMesh half_edges;
+    fill_half_edge_mesh(mesh, what, half_edges, context);
     return half_edges;
 }
 

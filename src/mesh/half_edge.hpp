@@ -22,6 +22,10 @@ using HalfEdgeMesh = OpenMesh::TriMesh_ArrayKernelT<HalfEdgeTraits>;
 /// of the edge, or vertex). Vertices without triangles are allowed and stay isolated.
 HalfEdgeMesh build_half_edge_mesh(const TriMesh& mesh, const char* what, const Context& context);
 
+/// The same into an empty structure: a copy of one leaks when memory runs out within it.
+void fill_half_edge_mesh(const TriMesh& mesh, const char* what, HalfEdgeMesh& half_edges,
+                         const Context& context);
+
 /// Back to arrays; colours and texture are not carried. Deleted elements must have been collected.
 TriMesh from_half_edge_mesh(const HalfEdgeMesh& half_edges);
 
