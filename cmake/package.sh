@@ -1,8 +1,8 @@
 #!/bin/sh
 # Builds a prebuilt, self-contained archive of Mien, and proves that it needs nothing.
 #   sh cmake/package.sh linux-x86_64|linux-aarch64|windows-x86_64 [WORK_DIR]
-# WORK_DIR (default build/package) keeps dependencies and objects for the next run; the archive and
-# its hash come into WORK_DIR. MIEN_PACKAGE_OPTIONS are more options for CMake, MIEN_JOBS the number of
+# WORK_DIR (default build/package) keeps dependencies and objects for the next run; the archive, its
+# hash, and the names and lines for debuggers in an archive of their own (-debug) come into WORK_DIR. MIEN_PACKAGE_OPTIONS are more options for CMake, MIEN_JOBS the number of
 # compilers at a time. Debian's compilers and sources are installed and fetched as needed.
 set -e
 machine=$1
@@ -14,9 +14,9 @@ work=$(cd "$work" && pwd)
 packages="cmake ninja-build dpkg-dev libeigen3-dev libspectra-dev nlohmann-json3-dev libcli11-dev"
 toolchain=-DCMAKE_TOOLCHAIN_FILE=$project/cmake/$machine.cmake
 case $machine in
-linux-x86_64) packages="$packages g++"; toolchain=; strip=strip; readelf=readelf ;;
-linux-aarch64) packages="$packages g++-aarch64-linux-gnu"; strip=aarch64-linux-gnu-strip; readelf=aarch64-linux-gnu-readelf ;;
-windows-x86_64) packages="$packages g++-mingw-w64-x86-64-posix"; strip=x86_64-w64-mingw32-strip; objdump=x86_64-w64-mingw32-objdump ;;
+linux-x86_64) packages="$packages g++"; toolchain=; tools= ;;
+linux-aarch64) packages="$packages g++-aarch64-linux-gnu"; tools=aarch64-linux-gnu- ;;
+windows-x86_64) packages="$packages g++-mingw-w64-x86-64-posix"; tools=x86_64-w64-mingw32- ;;
 *) echo "usage: package.sh linux-x86_64|linux-aarch64|windows-x86_64 [WORK_DIR]" >&2; exit 2 ;;
 esac
 for package in $packages; do
@@ -32,12 +32,27 @@ sh "$project/cmake/dependencies.sh" "$machine" "$work/dependencies"
 prefix=$work/dependencies/$machine
 cmake -S "$project" -B "$work/$machine" -G Ninja $toolchain -DCMAKE_BUILD_TYPE=Release -DMIEN_SELF_CONTAINED=ON \
     -DMIEN_DEPENDENCIES="$prefix" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_IGNORE_PATH=/usr/lib/x86_64-linux-gnu/cmake/OpenMesh \
-    -DCMAKE_INSTALL_LIBDIR=lib -DCMAKE_STRIP="$(command -v $strip)" -DPNG_PNG_INCLUDE_DIR="$prefix/include" \
+    -DCMAKE_INSTALL_LIBDIR=lib -DCMAKE_STRIP="$(command -v "${tools}strip")" -DPNG_PNG_INCLUDE_DIR="$prefix/include" \
     -DPNG_LIBRARY="$prefix/lib/libpng.a" -DJPEG_INCLUDE_DIR="$prefix/include" -DJPEG_LIBRARY="$prefix/lib/libjpeg.a" -DZLIB_INCLUDE_DIR="$prefix/include" -DZLIB_LIBRARY="$prefix/lib/libz.a" \
-    -DMIEN_BUILD_TESTS=OFF -DMIEN_BUILD_EXAMPLES=OFF -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=8 ${MIEN_PACKAGE_OPTIONS:-} >"$work/$machine.log"
+    -DMIEN_BUILD_TESTS=OFF -DMIEN_BUILD_EXAMPLES=OFF -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=8 \
+    -DCMAKE_C_FLAGS_RELEASE="-O3 -DNDEBUG -g1" -DCMAKE_CXX_FLAGS_RELEASE="-O3 -DNDEBUG -g1" ${MIEN_PACKAGE_OPTIONS:-} >"$work/$machine.log"
 cmake --build "$work/$machine" -j "${MIEN_JOBS:-$(nproc)}" >>"$work/$machine.log" || { tail -30 "$work/$machine.log" >&2; exit 1; }
+
+# Names and lines for debuggers, which the archive's files are stripped of, and the link to them (gdb looks beside the file).
+debug=$work/$machine/debug
+rm -rf "$debug" && mkdir -p "$debug"
+for file in "$work/$machine"/bin/mien "$work/$machine"/bin/mien.exe "$work/$machine"/bin/mien-0.dll "$work/$machine"/bin/libmien.so.*.*.* \
+    "$work/$machine"/abi/libmien.so.*.*.*; do
+    [ -f "$file" ] || continue
+    name=$(basename "$file")
+    "${tools}objcopy" --only-keep-debug "$file" "$debug/$name.debug"
+    "${tools}objcopy" --remove-section=.gnu_debuglink "$file"
+    (cd "$debug" && "${tools}objcopy" --add-gnu-debuglink="$name.debug" "$file")
+done
+[ "$(ls "$debug" | wc -l)" -ge 2 ] || { echo "FAILED: no library and command to take debug information from" >&2; exit 1; }
 (cd "$work/$machine" && cpack -B "$work/$machine/packed" >>"$work/$machine.log")
 cp "$work/$machine"/packed/mien-*.tar.gz* "$work/$machine"/packed/mien-*.zip* "$work" 2>/dev/null || true
+
 
 # What the archive promises, looked at from outside.
 archive=$(ls "$work/$machine"/packed/mien-*.tar.gz "$work/$machine"/packed/mien-*.zip 2>/dev/null | head -1)
@@ -52,13 +67,13 @@ root=$(echo "$look"/*/)
 if [ "$machine" = windows-x86_64 ]; then
     library=$root/bin/mien-0.dll
     command=$root/bin/mien.exe
-    needed_by() { $objdump -p "$1" | sed -n 's/.*DLL Name: //p' | sort | tr '\n' ' '; }
+    needed_by() { "${tools}objdump" -p "$1" | sed -n 's/.*DLL Name: //p' | sort | tr '\n' ' '; }
     allowed='KERNEL32.dll|msvcrt.dll|USER32.dll|ADVAPI32.dll|bcrypt.dll'
     own=mien-0.dll
 else
     library=$(ls "$root"/lib/libmien.so.0.*)
     command=$root/bin/mien
-    needed_by() { $readelf -dW "$1" | sed -n 's/.*NEEDED.*\[\(.*\)\]/\1/p' | tr '\n' ' '; }
+    needed_by() { "${tools}readelf" -dW "$1" | sed -n 's/.*NEEDED.*\[\(.*\)\]/\1/p' | tr '\n' ' '; }
     allowed='libc.so.6|libm.so.6|ld-linux-.*'
     own=libmien.so.0
 fi
@@ -67,6 +82,22 @@ if [ "$machine" = "linux-$(uname -m)" ] && { ldd -r "$library"; ldd -r "$command
     echo "FAILED: the library or the command has unresolved names" >&2
     exit 1
 fi
+# Guards that a loader sees (SECURITY.md): names bound at load and then read-only, no executable stack.
+if [ "$machine" != windows-x86_64 ]; then
+    for file in "$library" "$command"; do
+        "${tools}readelf" -dW "$file" | grep -q BIND_NOW || "${tools}readelf" -dW "$file" | grep -q 'Flags:.*NOW' ||
+            { echo "FAILED: $(basename "$file") binds names late" >&2; exit 1; }
+        "${tools}readelf" -lW "$file" | grep -q GNU_RELRO || { echo "FAILED: $(basename "$file") has no RELRO" >&2; exit 1; }
+        "${tools}readelf" -lW "$file" | grep GNU_STACK | grep -q 'RWE' && { echo "FAILED: $(basename "$file") has an executable stack" >&2; exit 1; }
+        "${tools}readelf" -sW "$file" | grep -q __stack_chk_fail || { echo "FAILED: $(basename "$file") has no stack protector" >&2; exit 1; }
+    done
+fi
+stem=$(basename "$archive" | sed 's/\.tar\.gz$//; s/\.zip$//')
+tar -C "$debug" -czf "$work/$stem-debug.tar.gz" .
+for file in "$library" "$command"; do
+    [ -f "$debug/$(basename "$file").debug" ] || { echo "FAILED: no debug file for $(basename "$file")" >&2; exit 1; }
+done
+
 size=$(wc -c <"$library")
 echo "$archive: $(wc -c <"$archive") bytes, $(wc -l <"$root/MANIFEST.txt") files"
 echo "$(basename "$library"): $size bytes, needs $(needed_by "$library")"
