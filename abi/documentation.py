@@ -324,7 +324,7 @@ class Reader:
         for p in f.parameters:
             if p.role == "handle_out" and f"{p.base}_release()" not in owner:
                 self.problem(f"@owner: 'the caller releases *{p.name} with {p.base}_release()'")
-        if base_of(f.result) in self.interface.handles:
+        if base_of(f.result) in self.interface.handles and not f.name.endswith("_retain"):
             lenders = [p for p in f.parameters if p.role == "handle"]
             f.lends = lenders[0].name if len(lenders) == 1 else ""
             if not f.lends or f"{base_of(f.result)}_retain" not in self.functions:

@@ -13,6 +13,7 @@
 #endif
 
 #include "base/error.hpp"
+#include "base/memory_budget.hpp"
 #include "mien/mien.h"
 
 namespace mien::abi {
@@ -20,6 +21,8 @@ namespace mien::abi {
 /// Writes a record within the caller's struct_size; `error` may be null.
 void write_error(mien_error* error, mien_status status, std::int64_t detail_index,
                  const char* message) noexcept;
+/// The record of an allocation that the budget refused.
+void write_budget_error(mien_error* error, const BudgetExceeded& refused) noexcept;
 
 /// Normalises rounding, exceptions and flush-to-zero for the call and puts the host's mode back;
 /// holds off thread cancellation, whose forced unwinding would abort in a noexcept frame.
@@ -56,6 +59,9 @@ mien_status guarded(mien_error* error, Body&& body) noexcept {
         body();
         write_error(error, MIEN_OK, -1, "");
         return MIEN_OK;
+    } catch (const BudgetExceeded& refused) {
+        write_budget_error(error, refused);
+        return MIEN_E_MEMORY_BUDGET;
     } catch (const std::bad_alloc&) {
         write_error(error, MIEN_E_NO_MEMORY, -1,
                     "out of memory; release something or give a smaller input");

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/memory_budget.hpp"
 #include "base/safetensors.hpp"
 
 namespace mien::abi {
@@ -32,9 +33,12 @@ inline MemoryFile copy_memory_file(const void* data, std::uint64_t size, const C
     SafetensorsFile::from_memory(data, length, header, context);
     context.require_memory(length, "a model from memory");
     constexpr std::align_val_t kAlignment{64};
-    const std::shared_ptr<void> bytes(::operator new(length, kAlignment), [](void* block) {
+    check_budget(length);
+    const std::shared_ptr<void> bytes(::operator new(length, kAlignment), [length](void* block) {
+        count_given(length);
         ::operator delete (block, std::align_val_t{64});
     });
+    count_taken(length);
     std::memcpy(bytes.get(), data, length);
     return {bytes, SafetensorsFile::from_memory(bytes.get(), length, {}, context)};
 }

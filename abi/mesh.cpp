@@ -207,8 +207,12 @@ mien_status MIEN_CALL mien_mesh_positions_view(const mien_mesh* mesh, const doub
     });
 }
 
-void MIEN_CALL mien_mesh_retain(mien_mesh* mesh) {
-    retain(mesh);
+mien_mesh* MIEN_CALL mien_mesh_retain(const mien_mesh* mesh) {
+    // A mesh is never changed; only its count of references is, which is the library's own.
+    auto* const own = const_cast<mien_mesh*>(mesh);
+    if (!is_live(own)) return nullptr;
+    retain(own);
+    return own;
 }
 
 void MIEN_CALL mien_mesh_release(mien_mesh* mesh) {

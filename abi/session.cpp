@@ -1,5 +1,9 @@
 #include "session.hpp"
 
+#include <algorithm>
+#include <chrono>
+#include <system_error>
+
 #include "base/dense.hpp"
 #include "guard.hpp"
 #include "options.hpp"
@@ -9,15 +13,39 @@ using namespace mien::abi;
 
 namespace mien::abi {
 
+SessionUse::SessionUse(mien_session& session) : session_(session) {
+    if (session.pool == nullptr) return;
+    const std::lock_guard<std::mutex> lock(session.use);
+    if (session.depth != 0 && session.user != std::this_thread::get_id())
+        fail(Status::busy,
+             "the session is in a call on another thread; give each thread a session of its own");
+    session.user = std::this_thread::get_id();
+    ++session.depth;
+}
+
+SessionUse::~SessionUse() {
+    if (session_.pool == nullptr) return;
+    const std::lock_guard<std::mutex> lock(session_.use);
+    --session_.depth;
+}
+
 Call::Call(mien_session* session, mien_progress_fn progress, void* progress_user,
            mien_cancel* cancel)
     : session_(checked(session, "session")),
+      use_(session_),
+      scope_(&budget_),
       progress_(progress),
       progress_user_(progress_user),
       cancel_(cancel == nullptr ? nullptr : &checked(cancel, "cancel")) {
     retain(cancel_);
+    budget_.context = &context_;
     context_.pool = session_.pool.get();
-    context_.max_bytes = session_.max_bytes;
+    context_.max_bytes = budget_.max_bytes = session_.max_bytes;
+    context_.copy_files = session_.copy_files;
+    if (session_.max_seconds > 0)
+        context_.deadline =
+            Context::Clock::now() + std::chrono::duration_cast<Context::Clock::duration>(
+                                        std::chrono::duration<double>(session_.max_seconds));
     if (cancel_ != nullptr) context_.cancel = &cancel_->token;
     if (progress_ != nullptr) {
         context_.progress_function = &Call::forward_progress;
@@ -35,6 +63,10 @@ Call::~Call() {
 
 std::int32_t Call::forward_progress(void* call, std::int32_t stage, double fraction) {
     const auto* self = static_cast<const Call*>(call);
+    fraction = std::min(1.0, std::max(0.0, fraction));
+    if (stage == self->stage_) fraction = std::max(fraction, self->fraction_);
+    self->stage_ = stage;
+    self->fraction_ = fraction;
     try {
         return self->progress_(self->progress_user_, stage, fraction);
     } catch (...) {
@@ -55,6 +87,7 @@ void Call::forward_log(void* call, std::int32_t level, const char* message) {
 namespace {
 
 constexpr std::int32_t kMaxThreads = 256;
+constexpr double kMaxSeconds = 1e8;  // three years: longer is no limit, and would not fit a clock
 
 mien_session_options default_session_options() {
     mien_session_options options{};
@@ -74,7 +107,16 @@ mien_session* create_session(std::uint32_t abi_version, const mien_session_optio
     if (given.num_threads < 1 || given.num_threads > kMaxThreads)
         fail(Status::invalid_argument, "options.num_threads is %d, allowed are 1 to %d",
              given.num_threads, kMaxThreads);
+    if (!(given.max_seconds >= 0) || given.max_seconds > kMaxSeconds)
+        fail(Status::invalid_argument, "options.max_seconds is %g, allowed are 0 (no limit) to %g",
+             given.max_seconds, kMaxSeconds);
+    if (given.copy_files != 0 && given.copy_files != 1)
+        fail(Status::unsupported_option, "options.copy_files is %d, allowed are 0 and 1",
+             given.copy_files);
+    if (given.reserved != 0) fail(Status::unsupported_option, "options.reserved is not zero");
     auto session = std::make_unique<mien_session>();
+    session->max_seconds = given.max_seconds;
+    session->copy_files = given.copy_files == 1;
     session->max_bytes = static_cast<std::size_t>(given.max_bytes);
     session->log = given.log;
     session->log_user = given.log_user;

@@ -48,6 +48,10 @@ namespace Mien
         ECallback = -17,
         /// <summary>a defect of the library: please report it</summary>
         EInternal = -18,
+        /// <summary>the session is in a call on another thread; since 0.2</summary>
+        EBusy = -19,
+        /// <summary>the session's max_seconds have passed; since 0.2</summary>
+        ETimeLimit = -20,
     }
 
     /// <summary>Stages of long work, as a progress callback sees them.</summary>
@@ -399,14 +403,24 @@ namespace Mien
             Functions.mien_session_options_init((IntPtr)(&raw), (UIntPtr)sizeof(Native.SessionOptions));
             NumThreads = raw.numThreads;
             MaxBytes = raw.maxBytes;
+            MaxSeconds = raw.maxSeconds;
+            CopyFiles = raw.copyFiles;
         }
 
         /// <summary>1 (default) to 256; 1 starts no thread. Results do not depend on it.</summary>
         public int NumThreads { get; set; }
-        /// <summary>memory budget of one call, 0 (default): none</summary>
+        /// <summary>memory budget of one call, 0 (default): none. Counted while the call runs, over all that the library's own code
+        /// allocates, the result included; MIEN_E_MEMORY_BUDGET before it would be exceeded. Mapped files do not count.</summary>
         public ulong MaxBytes { get; set; }
         /// <summary>null (default): silent. The library never prints.</summary>
         public Action<int, string> Log { get; set; }
+        /// <summary>time limit of one call, 0 (default): none, to 1e8; after it a call ends with MIEN_E_TIME_LIMIT as soon as it
+        /// would end for a cancel token. Since 0.2.</summary>
+        public double MaxSeconds { get; set; }
+        /// <summary>0 (default): model files and datasets are mapped, and a file that another program shortens meanwhile may end the
+        /// process (as with any mapping; one that is replaced by renaming, as the library writes, is safe); 1: they are
+        /// read into memory. Since 0.2.</summary>
+        public int CopyFiles { get; set; }
 
         internal override void Fill(Call call, IntPtr at)
         {
@@ -414,6 +428,8 @@ namespace Mien
             Functions.mien_session_options_init(at, (UIntPtr)sizeof(Native.SessionOptions));
             raw->numThreads = NumThreads;
             raw->maxBytes = MaxBytes;
+            raw->maxSeconds = MaxSeconds;
+            raw->copyFiles = CopyFiles;
             raw->log = call.LogFunction(Log);
             raw->logUser = call.LogUser(Log);
         }
@@ -2569,8 +2585,9 @@ namespace Mien
         public double SdMl { get; private set; }
     }
 
-    /// <summary>Threads, memory budget and logging. Externally synchronized: one call at a time. Objects made in a session may
-    /// outlive it.</summary>
+    /// <summary>Threads, limits of memory and time, and logging. Externally synchronized: one call at a time; with more than one
+    /// thread of its own, a session that is in a call on another thread refuses a second call with MIEN_E_BUSY. A
+    /// callback may call the library with the session that called it. Objects made in a session may outlive it.</summary>
     public sealed unsafe class Session : NativeObject
     {
         internal Session(IntPtr owned) : base(owned, at => Functions.mien_session_release(at)) { }
@@ -3634,8 +3651,8 @@ namespace Mien
         /// that leaves it open. Polygons become triangle fans; colours, texture coordinates, materials and images (of this
         /// file and beside it) are kept. Points that are not numbers and part of no triangle are dropped, with a warning in
         /// the session's log. The file is treated as hostile.</summary>
-        /// <exception cref="MienException">MIEN_E_IO, MIEN_E_BAD_FORMAT (also an unknown extension), MIEN_E_INVALID_MESH, MIEN_E_MEMORY_BUDGET,
-        /// MIEN_E_NO_MEMORY</exception>
+        /// <exception cref="MienException">MIEN_E_IO, MIEN_E_INVALID_ARGUMENT (unknown extension), MIEN_E_BAD_FORMAT, MIEN_E_INVALID_MESH,
+        /// MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY</exception>
         /// <remarks>C: mien_mesh_load()</remarks>
         public static Mesh Load(Session session, string path)
         {

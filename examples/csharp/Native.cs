@@ -21,6 +21,9 @@ namespace Mien.Native
         public ulong maxBytes;
         public IntPtr log;
         public IntPtr logUser;
+        public double maxSeconds;
+        public int copyFiles;
+        public int reserved;
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -719,7 +722,7 @@ namespace Mien.Native
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern int mien_mesh_positions_view(IntPtr mesh, IntPtr data, IntPtr count, IntPtr error);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_mesh_retain(IntPtr mesh);
+        internal static extern IntPtr mien_mesh_retain(IntPtr mesh);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_mesh_release(IntPtr mesh);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
@@ -1278,7 +1281,7 @@ namespace Mien.Native
         internal delegate int mien_mesh_positions_view_function(IntPtr mesh, IntPtr data, IntPtr count, IntPtr error);
         internal static readonly mien_mesh_positions_view_function mien_mesh_positions_view = Library.Function<mien_mesh_positions_view_function>("mien_mesh_positions_view");
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate void mien_mesh_retain_function(IntPtr mesh);
+        internal delegate IntPtr mien_mesh_retain_function(IntPtr mesh);
         internal static readonly mien_mesh_retain_function mien_mesh_retain = Library.Function<mien_mesh_retain_function>("mien_mesh_retain");
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         internal delegate void mien_mesh_release_function(IntPtr mesh);

@@ -6,12 +6,15 @@ STATIC_CHECK(offsetof(mien_error, struct_size) == 0, place_of_mien_error_struct_
 STATIC_CHECK(offsetof(mien_error, status) == 4, place_of_mien_error_status);
 STATIC_CHECK(offsetof(mien_error, detail_index) == 8, place_of_mien_error_detail_index);
 STATIC_CHECK(offsetof(mien_error, message) == 16, place_of_mien_error_message);
-STATIC_CHECK(sizeof(mien_session_options) == 32, size_of_mien_session_options);
+STATIC_CHECK(sizeof(mien_session_options) == 48, size_of_mien_session_options);
 STATIC_CHECK(offsetof(mien_session_options, struct_size) == 0, place_of_mien_session_options_struct_size);
 STATIC_CHECK(offsetof(mien_session_options, num_threads) == 4, place_of_mien_session_options_num_threads);
 STATIC_CHECK(offsetof(mien_session_options, max_bytes) == 8, place_of_mien_session_options_max_bytes);
 STATIC_CHECK(offsetof(mien_session_options, log) == 16, place_of_mien_session_options_log);
 STATIC_CHECK(offsetof(mien_session_options, log_user) == 24, place_of_mien_session_options_log_user);
+STATIC_CHECK(offsetof(mien_session_options, max_seconds) == 32, place_of_mien_session_options_max_seconds);
+STATIC_CHECK(offsetof(mien_session_options, copy_files) == 40, place_of_mien_session_options_copy_files);
+STATIC_CHECK(offsetof(mien_session_options, reserved) == 44, place_of_mien_session_options_reserved);
 STATIC_CHECK(sizeof(mien_array_view) == 32, size_of_mien_array_view);
 STATIC_CHECK(offsetof(mien_array_view, data) == 0, place_of_mien_array_view_data);
 STATIC_CHECK(offsetof(mien_array_view, count) == 8, place_of_mien_array_view_count);
@@ -686,10 +689,10 @@ JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1mesh_1positions_1view(JNIEnv *env,
     return (jint)mien_mesh_positions_view((const mien_mesh*)(intptr_t)mesh, (const double**)(intptr_t)data, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
 }
 
-JNIEXPORT void JNICALL Java_mien_RawJni_mien_1mesh_1retain(JNIEnv *env, jobject self, jlong mesh) {
+JNIEXPORT jlong JNICALL Java_mien_RawJni_mien_1mesh_1retain(JNIEnv *env, jobject self, jlong mesh) {
     (void)env;
     (void)self;
-    mien_mesh_retain((mien_mesh*)(intptr_t)mesh);
+    return (jlong)(intptr_t)mien_mesh_retain((const mien_mesh*)(intptr_t)mesh);
 }
 
 JNIEXPORT void JNICALL Java_mien_RawJni_mien_1mesh_1release(JNIEnv *env, jobject self, jlong mesh) {

@@ -31,14 +31,17 @@ enum {
     MIEN_E_NOT_FOUND = -15,          /**< an unknown name */
     MIEN_E_CANCELLED = -16,          /**< by a progress callback or a cancel token */
     MIEN_E_CALLBACK = -17,           /**< a callback unwound */
-    MIEN_E_INTERNAL = -18            /**< a defect of the library: please report it */
+    MIEN_E_INTERNAL = -18,           /**< a defect of the library: please report it */
+    MIEN_E_BUSY = -19,               /**< the session is in a call on another thread; since 0.2 */
+    MIEN_E_TIME_LIMIT = -20          /**< the session's max_seconds have passed; since 0.2 */
 };
 
 /** Detail of the last call that was given this record. Caller-allocated, so that nothing can leak
  * and nothing is allocated when memory has run out. Set struct_size before the first use; every
  * call overwrites the rest. */
 typedef struct mien_error {
-    uint32_t struct_size; /**< sizeof(mien_error) as the caller knows it */
+    uint32_t struct_size; /**< sizeof(mien_error) as the caller knows it; 0, as in a zeroed record,
+                           * is taken for the size of the first release */
     mien_status status;
     int64_t detail_index; /**< first offending index (vertex, triangle, value), or -1 */
     char message[256];    /**< UTF-8, zero-terminated: what, where, what to do. For people. */

@@ -129,8 +129,8 @@ MIEN_API mien_status MIEN_CALL mien_mesh_create(mien_session* session,
  * @param path    [in] UTF-8, not null.
  * @param out     [out] not null; the mesh, or null on failure.
  * @param error   [out] may be null.
- * @errors MIEN_E_IO, MIEN_E_BAD_FORMAT (also an unknown extension), MIEN_E_INVALID_MESH,
- * MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY
+ * @errors MIEN_E_IO, MIEN_E_INVALID_ARGUMENT (unknown extension), MIEN_E_BAD_FORMAT,
+ * MIEN_E_INVALID_MESH, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY
  * @owner  the caller releases *out with mien_mesh_release()
  * @thread externally synchronized by session
  * @cancel no
@@ -568,9 +568,11 @@ MIEN_API mien_status MIEN_CALL mien_mesh_positions_view(const mien_mesh* mesh, c
                                                         uint64_t* count, mien_error* error);
 
 /**
- * Adds a reference: each retain needs a release of its own.
+ * Adds a reference: each retain needs a release of its own. What a registration or a model lends as
+ * const mien_mesh* becomes the caller's own this way.
  *
  * @param mesh [in] may be null.
+ * @return the same mesh, to be released; null for null and for what is no mesh.
  * @errors none
  * @owner  the caller holds one more reference
  * @thread thread-safe
@@ -578,7 +580,7 @@ MIEN_API mien_status MIEN_CALL mien_mesh_positions_view(const mien_mesh* mesh, c
  * @cost   O(1)
  * @since  0.1
  */
-MIEN_API void MIEN_CALL mien_mesh_retain(mien_mesh* mesh);
+MIEN_API mien_mesh* MIEN_CALL mien_mesh_retain(const mien_mesh* mesh);
 
 /**
  * Gives one reference back; the last one frees the mesh.

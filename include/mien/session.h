@@ -8,8 +8,10 @@
 extern "C" {
 #endif
 
-/** Threads, memory budget and logging. Externally synchronized: one call at a time. Objects made in
- *  a session may outlive it. */
+/** Threads, limits of memory and time, and logging. Externally synchronized: one call at a time;
+ * with more than one thread of its own, a session that is in a call on another thread refuses a
+ * second call with MIEN_E_BUSY. A callback may call the library with the session that called it.
+ * Objects made in a session may outlive it. */
 typedef struct mien_session mien_session;
 
 /** Tells a running call to stop. Thread-safe, sticky, single-use. */
@@ -44,9 +46,20 @@ typedef struct mien_session_options {
     uint32_t struct_size;
     int32_t
         num_threads;    /**< 1 (default) to 256; 1 starts no thread. Results do not depend on it. */
-    uint64_t max_bytes; /**< memory budget of one call, 0 (default): none */
+    uint64_t max_bytes; /**< memory budget of one call, 0 (default): none. Counted while the call
+                         * runs, over all that the library's own code allocates, the result
+                         * included; MIEN_E_MEMORY_BUDGET before it would be exceeded. Mapped files
+                         * do not count. */
     mien_log_fn log;    /**< null (default): silent. The library never prints. */
     void* log_user;
+    double max_seconds; /**< time limit of one call, 0 (default): none, to 1e8; after it a call ends
+                         * with MIEN_E_TIME_LIMIT as soon as it would end for a cancel token. Since
+                         * 0.2. */
+    int32_t copy_files; /**< 0 (default): model files and datasets are mapped, and a file that
+                         * another program shortens meanwhile may end the process (as with any
+                         * mapping; one that is replaced by renaming, as the library writes, is
+                         * safe); 1: they are read into memory. Since 0.2. */
+    int32_t reserved;   /**< 0 */
 } mien_session_options;
 
 /**

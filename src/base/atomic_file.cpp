@@ -15,6 +15,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/file_system.hpp"
+#include "base/memory_budget.hpp"
 
 #if !defined(_WIN32)
 #include <pthread.h>
@@ -60,7 +61,7 @@ struct AtomicFile::State {
     std::string path;
     NativePath target, temporary;
     HANDLE handle = INVALID_HANDLE_VALUE;
-    std::unique_ptr<char[]> buffer;
+    std::shared_ptr<char> buffer;
     std::size_t filled = 0;
 
     explicit State(const std::string& p) : path(p), target(native(p)) {
@@ -169,7 +170,7 @@ struct AtomicFile::State {
     std::string path, target, folder, prefix, name, temporary;
     int descriptor = -1;
     bool unnamed = false;
-    std::unique_ptr<char[]> buffer;
+    std::shared_ptr<char> buffer;
     std::size_t filled = 0;
 
     explicit State(const std::string& p) : path(p), target(p) {
@@ -303,7 +304,7 @@ struct AtomicFile::State {
 
 // The destructor of a half-built State does not run, so the buffer comes before the file exists.
 AtomicFile::AtomicFile(const std::string& path) {
-    std::unique_ptr<char[]> buffer(new char[kBufferBytes]);
+    std::shared_ptr<char> buffer = counted_block(kBufferBytes);
     state_ = std::make_unique<State>(path);
     state_->buffer = std::move(buffer);
 }

@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/file_system.hpp"
+#include "base/memory_budget.hpp"
 
 #if !defined(_WIN32)
 #include <sys/mman.h>
@@ -270,7 +271,7 @@ FileBytes read_whole_file(const std::string& path, const Context& context) {
     context.require_memory(file.size, "reading a file");
     FileBytes bytes;
     if (file.size == 0) return bytes;
-    std::shared_ptr<char> copy(new char[file.size], std::default_delete<char[]>());
+    std::shared_ptr<char> copy = counted_block(file.size);
     while (bytes.size < file.size) {
         context.check_cancelled();
         const std::size_t got =

@@ -45,8 +45,8 @@ def planted_changes(interface):
     yield "fields swapped", edit("mesh.h", r"(uint64_t count;[^\n]*\n)(\s*uint64_t stride_bytes;[^\n]*\n)", r"\2\1"), True, True
     yield "a constant renumbered", edit("error.h", r"MIEN_E_IO = -9", "MIEN_E_IO = -99"), True, False
     yield "a parameter of another type", edit("mesh.h", r"uint64_t capacity", "int64_t capacity"), False, True
-    yield "a function removed", edit("mesh.h", r"/\*\*(?:(?!\*/).)*\*/\nMIEN_API void MIEN_CALL mien_mesh_retain\([^)]*\);\n", ""), False, True
-    yield "a function added", edit("mesh.h", r"(MIEN_API void MIEN_CALL mien_mesh_retain)", r"MIEN_API void MIEN_CALL mien_mesh_planted(void);\n\1"), False, False
+    yield "a function removed", edit("mesh.h", r"/\*\*(?:(?!\*/).)*\*/\nMIEN_API void MIEN_CALL mien_mesh_release\([^)]*\);\n", ""), False, True
+    yield "a function added", edit("mesh.h", r"(MIEN_API void MIEN_CALL mien_mesh_release)", r"MIEN_API void MIEN_CALL mien_mesh_planted(void);\n\1"), False, False
 
 
 def caught(script, *arguments):

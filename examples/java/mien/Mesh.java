@@ -39,8 +39,8 @@ public final class Mesh extends NativeObject {
      * where that leaves it open. Polygons become triangle fans; colours, texture coordinates, materials and
      * images (of this file and beside it) are kept. Points that are not numbers and part of no triangle are
      * dropped, with a warning in the session's log. The file is treated as hostile. C: mien_mesh_load().
-     * @throws MienException MIEN_E_IO, MIEN_E_BAD_FORMAT (also an unknown extension), MIEN_E_INVALID_MESH,
-     * MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY
+     * @throws MienException MIEN_E_IO, MIEN_E_INVALID_ARGUMENT (unknown extension), MIEN_E_BAD_FORMAT,
+     * MIEN_E_INVALID_MESH, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY
      */
     public static Mesh load(Session session, String path) {
         try (Call call = new Call()) {

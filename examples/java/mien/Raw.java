@@ -50,7 +50,7 @@ interface Raw {
     int mien_mesh_save_targets(long session, long mesh, long targets, long names, long targetCount, long path, long error);
     int mien_mesh_load_target(long session, long path, long name, long out, long error);
     int mien_mesh_positions_view(long mesh, long data, long count, long error);
-    void mien_mesh_retain(long mesh);
+    long mien_mesh_retain(long mesh);
     void mien_mesh_release(long mesh);
     void mien_model_options_init(long options, long structSize);
     int mien_model_build(long session, long templateMesh, long options, long out, long error);

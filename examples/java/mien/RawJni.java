@@ -43,7 +43,7 @@ final class RawJni implements Raw {
     @Override public native int mien_mesh_save_targets(long session, long mesh, long targets, long names, long targetCount, long path, long error);
     @Override public native int mien_mesh_load_target(long session, long path, long name, long out, long error);
     @Override public native int mien_mesh_positions_view(long mesh, long data, long count, long error);
-    @Override public native void mien_mesh_retain(long mesh);
+    @Override public native long mien_mesh_retain(long mesh);
     @Override public native void mien_mesh_release(long mesh);
     @Override public native void mien_model_options_init(long options, long structSize);
     @Override public native int mien_model_build(long session, long templateMesh, long options, long out, long error);

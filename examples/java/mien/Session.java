@@ -2,8 +2,10 @@ package mien;
 
 // Written by abi/generate_bindings.py.
 /**
- * Threads, memory budget and logging. Externally synchronized: one call at a time. Objects made in a session
- * may outlive it.
+ * Threads, limits of memory and time, and logging. Externally synchronized: one call at a time; with more
+ * than one thread of its own, a session that is in a call on another thread refuses a second call with
+ * MIEN_E_BUSY. A callback may call the library with the session that called it. Objects made in a session may
+ * outlive it.
  */
 public final class Session extends NativeObject {
     Session(long owned) { super(owned, Raw.GET::mien_session_release); }
@@ -34,7 +36,7 @@ public final class Session extends NativeObject {
      */
     public static Session createWithOptions(SessionOptions options) {
         try (Call call = new Call()) {
-            var optionsAt = call.record(options, 32, false, "options");
+            var optionsAt = call.record(options, 48, false, "options");
             var outAt = call.room(8);
             call.check(Raw.GET.mien_session_create_with_options(0, Memory.address(optionsAt), Memory.address(outAt), call.error()));
             return call.keep(new Session(call.pointer(outAt)));

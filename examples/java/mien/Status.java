@@ -60,4 +60,10 @@ public final class Status {
 
     /** a defect of the library: please report it */
     public static final int E_INTERNAL = -18;
+
+    /** the session is in a call on another thread; since 0.2 */
+    public static final int E_BUSY = -19;
+
+    /** the session's max_seconds have passed; since 0.2 */
+    public static final int E_TIME_LIMIT = -20;
 }

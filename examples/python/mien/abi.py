@@ -24,6 +24,9 @@ class SessionOptions(ctypes.Structure):
         ("max_bytes", ctypes.c_uint64),
         ("log", LogFn),
         ("log_user", ctypes.c_void_p),
+        ("max_seconds", ctypes.c_double),
+        ("copy_files", ctypes.c_int32),
+        ("reserved", ctypes.c_int32),
     ]
 
 
@@ -658,6 +661,9 @@ STRUCTS = {
         ("max_bytes", "scalar", "uint64_t", (), ""),
         ("log", "callback", "mien_log_fn", (), ""),
         ("log_user", "user", "void", (), ""),
+        ("max_seconds", "scalar", "double", (), ""),
+        ("copy_files", "scalar", "int32_t", (), ""),
+        ("reserved", "reserved", "int32_t", (), ""),
     ),
     "mien_array_view": (
         ("data", "data", "void", ('count',), ""),
@@ -1357,7 +1363,7 @@ FUNCTIONS = {
         ("count", "count_out", "uint64_t", (), True, ""),
         ("error", "error", "mien_error", (), True, ""),
     )),
-    "mien_mesh_retain": (None, (), (
+    "mien_mesh_retain": (ctypes.c_void_p, (), (
         ("mesh", "handle", "mien_mesh", (), True, ""),
     )),
     "mien_mesh_release": (None, (), (

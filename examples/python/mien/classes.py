@@ -185,6 +185,10 @@ class Status(enum.IntEnum):
     E_CALLBACK = -17
     #: a defect of the library: please report it
     E_INTERNAL = -18
+    #: the session is in a call on another thread; since 0.2
+    E_BUSY = -19
+    #: the session's max_seconds have passed; since 0.2
+    E_TIME_LIMIT = -20
 
 
 class Stage(enum.IntEnum):
@@ -501,10 +505,19 @@ class SessionOptions(_Options):
     _name = "mien_session_options"
     #: 1 (default) to 256; 1 starts no thread. Results do not depend on it.
     num_threads: int
-    #: memory budget of one call, 0 (default): none
+    #: memory budget of one call, 0 (default): none. Counted while the call runs, over all that the library's own
+    #: code allocates, the result included; MIEN_E_MEMORY_BUDGET before it would be exceeded. Mapped files do not
+    #: count.
     max_bytes: int
     #: null (default): silent. The library never prints.
     log: Callable[[int, str], None] | None
+    #: time limit of one call, 0 (default): none, to 1e8; after it a call ends with MIEN_E_TIME_LIMIT as soon as
+    #: it would end for a cancel token. Since 0.2.
+    max_seconds: float
+    #: 0 (default): model files and datasets are mapped, and a file that another program shortens meanwhile may
+    #: end the process (as with any mapping; one that is replaced by renaming, as the library writes, is safe);
+    #: 1: they are read into memory. Since 0.2.
+    copy_files: int
 
 
 class Zone(_Record):
@@ -1489,8 +1502,9 @@ class VisitsRemovedVolume(NamedTuple):
 
 
 class Session(_Object):
-    """Threads, memory budget and logging. Externally synchronized: one call at a time. Objects made in a session
-    may outlive it.
+    """Threads, limits of memory and time, and logging. Externally synchronized: one call at a time; with more than
+    one thread of its own, a session that is in a call on another thread refuses a second call with MIEN_E_BUSY.
+    A callback may call the library with the session that called it. Objects made in a session may outlive it.
     """
     _release = "mien_session_release"
 
@@ -1935,8 +1949,8 @@ class Mesh(_Object):
         where that leaves it open. Polygons become triangle fans; colours, texture coordinates, materials and images
         (of this file and beside it) are kept. Points that are not numbers and part of no triangle are dropped, with
         a warning in the session's log. The file is treated as hostile.
-        Fails with MIEN_E_IO, MIEN_E_BAD_FORMAT (also an unknown extension), MIEN_E_INVALID_MESH,
-        MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY.
+        Fails with MIEN_E_IO, MIEN_E_INVALID_ARGUMENT (unknown extension), MIEN_E_BAD_FORMAT,
+        MIEN_E_INVALID_MESH, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY.
         C: mien_mesh_load()
         """
         return _run("mien_mesh_load", {"session": session, "path": path})[0]

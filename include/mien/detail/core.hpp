@@ -108,7 +108,7 @@ class ProgressBridge {
 
 }  // namespace detail
 
-/// Threads, memory budget. One call at a time.
+/// Threads, limits of memory and time. One call at a time.
 class Session {
   public:
     /// `log` gets what a call has to say beside its result, such as a missing texture image; it
@@ -121,13 +121,19 @@ class Session {
         options.max_bytes = max_bytes;
         options.log = log;
         options.log_user = log_user;
+        open(options);
+    }
+    /// With all there is to choose, e.g. max_seconds and copy_files.
+    explicit Session(const mien_session_options& options) { open(options); }
+    mien_session* get() const noexcept { return handle_.get(); }
+
+  private:
+    void open(const mien_session_options& options) {
         mien_session* session = nullptr;
         detail::call(mien_session_create_with_options, MIEN_ABI_VERSION, &options, &session);
         handle_.reset(session);
     }
-    mien_session* get() const noexcept { return handle_.get(); }
 
-  private:
     detail::Handle<mien_session, mien_session_release> handle_;
 };
 
@@ -177,9 +183,7 @@ class Mesh {
     explicit Mesh(mien_mesh* owned) { adopt(owned); }
     /// Adds a reference of its own to a mesh that something else owns.
     static Mesh share(const mien_mesh* borrowed) {
-        auto* mesh = const_cast<mien_mesh*>(borrowed);
-        mien_mesh_retain(mesh);
-        return Mesh(mesh);
+        return Mesh(mien_mesh_retain(borrowed));
     }
 
     void save(const Session& session, const std::string& path) const {

@@ -200,9 +200,9 @@ final class RawForeign implements Raw {
         try { return (int) mien_mesh_positions_view.invokeExact(mesh, data, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
     }
 
-    private final MethodHandle mien_mesh_retain = library.find("mien_mesh_retain", FunctionDescriptor.ofVoid(JAVA_LONG));
-    @Override public void mien_mesh_retain(long mesh) {
-        try { mien_mesh_retain.invokeExact(mesh); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    private final MethodHandle mien_mesh_retain = library.find("mien_mesh_retain", FunctionDescriptor.of(JAVA_LONG, JAVA_LONG));
+    @Override public long mien_mesh_retain(long mesh) {
+        try { return (long) mien_mesh_retain.invokeExact(mesh); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
     }
 
     private final MethodHandle mien_mesh_release = library.find("mien_mesh_release", FunctionDescriptor.ofVoid(JAVA_LONG));
