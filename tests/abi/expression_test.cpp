@@ -106,6 +106,60 @@ TEST_F(Expression, NeutralizesAFaceTowardsItsNeutral) {
     EXPECT_EQ(result.mesh().triangles(), sheet().triangles);
 }
 
+TEST_F(Expression, NeutralizesAFitAsItNeutralizesItsMesh) {
+    const std::vector<double> seen(Sheet::kSide * Sheet::kSide, 1.0);
+    const mien::Registration fit(*session_, face(20, 1), seen, {}, {}, MIEN_QUALITY_GOOD);
+    const mien::Neutralization of_fit(*session_, *model_, fit);
+    EXPECT_EQ(of_fit.mesh().positions(),
+              mien::Neutralization(*session_, *model_, face(20, 1)).mesh().positions());
+    EXPECT_LT(distance(of_fit.mesh().positions(), sheet().face(20, 0)),
+              0.4 * distance(sheet().face(20, 1), sheet().face(20, 0)));
+}
+
+// "alignment needs at least 3 points, got 700" was what the host heard of it.
+TEST_F(Expression, AFitThatFailedIsRefusedInWordsThatSaySo) {
+    const std::vector<double> unseen(Sheet::kSide * Sheet::kSide, 0.0);
+    const mien::Registration fit(*session_, face(20, 1), unseen, {}, {}, MIEN_QUALITY_FAILED);
+    try {
+        const mien::Neutralization neutral(*session_, *model_, fit);
+        FAIL() << "a failed fit was neutralized";
+    } catch (const mien::Exception& refused) {
+        EXPECT_EQ(MIEN_E_NO_SOLUTION, refused.status());
+        EXPECT_NE(nullptr, std::strstr(refused.what(), "weight")) << refused.what();
+        EXPECT_NE(nullptr, std::strstr(refused.what(), "failed")) << refused.what();
+    }
+}
+
+TEST_F(Expression, AFaceIsTheMeanAndTheModesTimesTheirCoordinates) {
+    const auto made = [](double identity, double expression) {
+        std::vector<double> a(model_->identity_modes(), 0.0), b(model_->expression_modes(), 0.0);
+        a.front() = identity;
+        b.back() = expression;
+        const mien_array_view identities{a.data(), a.size(), 0, MIEN_DTYPE_F64, 0},
+            expressions{b.data(), b.size(), 0, MIEN_DTYPE_F64, 0};
+        mien_mesh* mesh = nullptr;
+        EXPECT_EQ(MIEN_OK,
+                  mien_expression_model_synthesize(session_->get(), model_->get(), &identities,
+                                                   &expressions, &mesh, nullptr));
+        return mien::Mesh(mesh).positions();
+    };
+    const auto mean = made(0, 0), one = made(2, 0), other = made(0, 3), both = made(2, 3);
+    EXPECT_GT(distance(mean, one), 0.01);
+    EXPECT_GT(distance(mean, other), 0.01);
+    for (std::size_t v = 0; v < mean.size(); ++v)
+        for (int k = 0; k < 3; ++k)
+            EXPECT_NEAR(one[v][k] + other[v][k] - mean[v][k], both[v][k], 1e-9);
+}
+
+TEST_F(Expression, TheReportTellsSizesAndExpressions) {
+    const std::string json = model_->json();
+    EXPECT_NE(std::string::npos, json.find("\"up\"")) << json;
+    EXPECT_NE(std::string::npos, json.find("144")) << json;
+    mien_expression_model_retain(model_->get());  // and gives it back
+    mien_expression_model_release(model_->get());
+    EXPECT_EQ(json, model_->json());
+}
+
 TEST_F(Expression, AModelFileGivesTheSameBits) {
     const std::string path = testing::TempDir() + "mien_abi_expression_model.safetensors";
     model_->save(*session_, path);

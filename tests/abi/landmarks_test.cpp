@@ -1,4 +1,5 @@
 // Landmark and zone lists, mesh tools and the template check through the shared library.
+#include <algorithm>
 #include <fstream>
 
 #include "handles.hpp"
@@ -69,6 +70,54 @@ TEST(Landmarks, OfAFileAreMatchedAndSavedAsAnotherKind) {
     const mien::Landmarks back(session, saved);
     EXPECT_EQ(back[0].position, (mien::Position{{1, 2, 3}}));
     EXPECT_EQ(back[1].where, MIEN_MARK_NOT_PICKED);
+}
+
+TEST(Zones, OfAHostAreSavedAndReadBack) {
+    const mien::Session session;
+    const std::uint32_t lips[] = {5, 2, 9}, brow[] = {7};
+    const mien_zone zones[] = {{"lips", lips, 3}, {"brow", brow, 1}};
+    mien_zones *made = nullptr, *read = nullptr;
+    ASSERT_EQ(MIEN_OK, mien_zones_create(zones, 2, &made, nullptr));
+    mien_zones_retain(made);
+    mien_zones_release(made);
+    const std::string path = temporary_path("zones.json");
+    ASSERT_EQ(MIEN_OK, mien_zones_save(session.get(), made, path.c_str(), nullptr));
+    ASSERT_EQ(MIEN_OK, mien_zones_load(session.get(), path.c_str(), &read, nullptr));
+    for (const mien_zones* list : {made, read}) {
+        std::uint64_t count = 0;
+        EXPECT_EQ(MIEN_OK, mien_zones_get_count(list, &count, nullptr));
+        EXPECT_EQ(2u, count);
+        char name[8];
+        EXPECT_EQ(MIEN_OK, mien_zones_get_name(list, 0, name, sizeof name, &count, nullptr));
+        EXPECT_STREQ("lips", name);
+        std::uint32_t vertices[3] = {};
+        EXPECT_EQ(MIEN_OK, mien_zones_get_vertices(list, 0, vertices, 3, &count, nullptr));
+        EXPECT_EQ(3u, count);
+        EXPECT_EQ(2u, *std::min_element(vertices, vertices + 3));
+        EXPECT_EQ(16u, vertices[0] + vertices[1] + vertices[2]);
+    }
+    mien_zones_release(made);
+    mien_zones_release(read);
+    const std::uint32_t vertex = 1;
+    const mien_zone nameless = {nullptr, &vertex, 1};
+    EXPECT_EQ(MIEN_E_INVALID_ARGUMENT, mien_zones_create(&nameless, 1, &made, nullptr));
+    EXPECT_EQ(nullptr, made);
+}
+
+TEST(Landmarks, AReferenceKeepsTheList) {
+    const mien::Session session;
+    mien_landmarks* list = nullptr;
+    {
+        const mien::Model model = small_model(session);
+        ASSERT_EQ(MIEN_OK, mien_model_get_landmarks(model.get(), &list, nullptr));
+    }
+    mien_landmarks_retain(list);
+    mien_landmarks_release(list);
+    std::uint64_t count = 0;
+    char name[8];
+    EXPECT_EQ(MIEN_OK, mien_landmarks_get_name(list, 0, name, sizeof name, &count, nullptr));
+    EXPECT_STREQ("nose", name);
+    mien_landmarks_release(list);
 }
 
 TEST(Landmarks, NoKnownNameIsNotFoundWithExamples) {

@@ -294,4 +294,51 @@ TEST_F(SpectralAbi, ExpressionsAreCarriedAndPredicted) {
               MIEN_E_WRONG_KIND);
 }
 
+/// Loads an object of C, takes a reference, gives the first back: the second still holds it.
+template <typename Handle, typename Load, typename Use>
+void expect_kept_by_a_reference(Load load, const Session& session, const std::string& path,
+                                void (*retain)(Handle*), void (*release)(Handle*), Use&& use) {
+    Handle* handle = nullptr;
+    ASSERT_EQ(MIEN_OK, load(session.get(), path.c_str(), &handle, nullptr)) << path;
+    retain(handle);
+    release(handle);
+    EXPECT_EQ(MIEN_OK, use(handle)) << path;
+    release(handle);
+    retain(nullptr);
+}
+
+TEST_F(SpectralAbi, AReferenceKeepsWhatIsLoaded) {
+    const std::string path = dataset();
+    basis().save(session_, file("b"));
+    Hierarchy::quadric(session_, face(session_, 15, 0.5), 1, 3.0).save(session_, file("h"));
+    Representation::train(session_, path, MIEN_FEATURES_EUCLIDEAN).save(session_, file("r"));
+    BlendshapeModel::train(session_, path, "smile").save(session_, file("m"));
+    expect_kept_by_a_reference(
+        mien_spectral_basis_load, session_, file("b"), mien_spectral_basis_retain,
+        mien_spectral_basis_release, [](const mien_spectral_basis* b) {
+            std::uint64_t vertices = 0;
+            std::uint64_t modes = 0;
+            return mien_spectral_basis_get_counts(b, &vertices, &modes, nullptr);
+        });
+    expect_kept_by_a_reference(mien_hierarchy_load, session_, file("h"), mien_hierarchy_retain,
+                               mien_hierarchy_release, [](const mien_hierarchy* h) {
+                                   std::uint32_t levels = 0;
+                                   return mien_hierarchy_get_level_count(h, &levels, nullptr);
+                               });
+    expect_kept_by_a_reference(
+        mien_representation_load, session_, file("r"), mien_representation_retain,
+        mien_representation_release, [](const mien_representation* r) {
+            std::uint64_t channels = 0;
+            return mien_representation_get_counts(r, nullptr, &channels, nullptr);
+        });
+    expect_kept_by_a_reference(
+        mien_blendshape_model_load, session_, file("m"), mien_blendshape_model_retain,
+        mien_blendshape_model_release, [](const mien_blendshape_model* m) {
+            mien_mesh* mean = nullptr;
+            const mien_status status = mien_blendshape_model_get_mean(m, &mean, nullptr);
+            mien_mesh_release(mean);
+            return status;
+        });
+}
+
 }  // namespace

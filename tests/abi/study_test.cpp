@@ -82,6 +82,10 @@ TEST(Study, RegistrationsGiveChangesWithTheirErrors) {
     EXPECT_NEAR(study.field(0, MIEN_STUDY_FIELD_NORMAL_SD_MM)[5], std::hypot(0.08, 0.02), 1e-12);
     EXPECT_THROW(study.field(0, MIEN_STUDY_FIELD_EXPRESSION_SD_MM), mien::Exception);
     EXPECT_NE(study.json().find("\"changes_since_first\""), std::string::npos);
+    auto* const shared = const_cast<mien_study*>(study.get());
+    mien_study_retain(shared);
+    mien_study_release(shared);
+    EXPECT_EQ(study.visit_count(), 2);
 }
 
 TEST(Study, AWiderLevelGivesWiderIntervals) {

@@ -191,6 +191,7 @@ void abuse_parameters(Fixtures& fixtures, Verdict& verdict) {
         // One call at a time is wrong, so all others must be right: else an error says nothing.
         if (complete && !reference_counting && row.result == Result::status) {
             std::string message;
+            begin_call(false);
             const std::int64_t result =
                 observed_call(row, good, "good arguments", verdict, &message);
             verdict.check(result == MIEN_OK, name, "good arguments are refused: " + message);

@@ -116,6 +116,9 @@ Fixtures::Fixtures() {
     mien_measure_asymmetry(session, symmetric_, symmetric_, nullptr, &sides, nullptr);
     sides_ = sides;
     handles_.emplace_back("mien_measurement", sides);
+    const FunctionRow& add = *find_function("mien_dataset_writer_add");
+    std::vector<Argument> face_of_writer;
+    if (good_arguments(add, face_of_writer)) add.call(face_of_writer.data());
     // What the loading functions read.
     for (const FunctionRow& row : functions()) {
         std::vector<Argument> arguments;

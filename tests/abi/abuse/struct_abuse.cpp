@@ -19,10 +19,11 @@ struct Case {
 };
 
 std::int64_t call_with(const Case& c, Fixtures& fixtures, void* structure, const std::string& how,
-                       Verdict& verdict) {
+                       Verdict& verdict, bool limited = true) {
     std::vector<Argument> arguments;
     fixtures.good_arguments(c.row, arguments);
     arguments[c.index].pointer = structure;
+    begin_call(limited);
     return observed_call(c.row, arguments, how, verdict);
 }
 
@@ -39,13 +40,13 @@ void abuse_size(const Case& c, Fixtures& fixtures, Verdict& verdict) {
     if (!c.complete) return;
     auto exact = fixtures.structure(c.layout, 0, c.row.parameters[c.index].name);
     const std::int64_t expected =
-        call_with(c, fixtures, exact.data(), label + " of exact size", verdict);
+        call_with(c, fixtures, exact.data(), label + " of exact size", verdict, false);
     verdict.check(expected != MIEN_E_UNSUPPORTED_OPTION, c.row.name,
                   label + " of exact size is refused");
     auto zero_tail = fixtures.structure(c.layout, 16, c.row.parameters[c.index].name);
-    verdict.check(
-        call_with(c, fixtures, zero_tail.data(), label + " with a zero tail", verdict) == expected,
-        c.row.name, label + " with a zero tail is treated otherwise than the exact size");
+    verdict.check(call_with(c, fixtures, zero_tail.data(), label + " with a zero tail", verdict,
+                            false) == expected,
+                  c.row.name, label + " with a zero tail is treated otherwise than the exact size");
     auto tail = fixtures.structure(c.layout, 16, c.row.parameters[c.index].name);
     bytes_of(tail)[c.layout.size + 9] = 1;
     verdict.check(call_with(c, fixtures, tail.data(), label + " with a set tail", verdict) ==
