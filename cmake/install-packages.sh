@@ -1,5 +1,5 @@
 #!/bin/sh
-# Installs the Debian packages that are missing: sh cmake/install-packages.sh build|test|training ...
+# Installs the Debian packages that are missing: sh cmake/install-packages.sh build|test|training|long ...
 # Needs root or sudo only when something is missing.
 set -eu
 
@@ -7,8 +7,9 @@ build="g++ cmake ninja-build ccache pkg-config libeigen3-dev libopenmesh-dev lib
        nlohmann-json3-dev libcli11-dev libpng-dev libjpeg62-turbo-dev"
 test="libgtest-dev libbenchmark-dev python3 python3-numpy python3-scipy clang clang-format clang-tidy git
       abigail-tools
-      mono-mcs mono-runtime openjdk-17-jdk-headless"
+      mono-mcs mono-runtime openjdk-17-jdk-headless slurm-wlm munge"
 training="libtorch-dev libopenblas0-pthread"
+long="valgrind gcovr"
 
 wanted=""
 for group in "$@"; do
@@ -16,6 +17,7 @@ for group in "$@"; do
         build) wanted="$wanted $build" ;;
         test) wanted="$wanted $test" ;;
         training) wanted="$wanted $training" ;;
+        long) wanted="$wanted $long" ;;
         *) echo "install-packages.sh: unknown group '$group'" >&2; exit 2 ;;
     esac
 done

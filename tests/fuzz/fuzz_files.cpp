@@ -1,9 +1,13 @@
 // Feeds damaged files to every reader: fuzz_files [iterations] [seed]. An Error or a result that
 // passes its check is right; anything else, and any allocation out of proportion to the file, is a
 // fault. The damaged file of a fault is written to the working folder.
+//   fuzz_files seeds FOLDER   writes the good files to FOLDER/KIND
+// Compiled with MIEN_FUZZER it is driven by libFuzzer, and reads what the end of its name says:
+// libfuzz_ply, libfuzz_landmarks.pts (tests/fuzz/run.sh makes the links).
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -249,7 +253,39 @@ std::string feed(const std::string& kind, const char* data, std::size_t size,
 
 }  // namespace
 
+#if defined(MIEN_FUZZER)
+
+namespace {
+std::string fuzzed_kind;
+}
+
+extern "C" int LLVMFuzzerInitialize(int*, char*** argv) {
+    const std::string name = (*argv)[0];
+    fuzzed_kind = name.substr(name.rfind("libfuzz_") + 8);
+    return 0;
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+    static const ScratchFolder folder;
+    static const std::string path = folder / "damaged";
+    const std::string fault = feed(fuzzed_kind, reinterpret_cast<const char*>(data), size, path);
+    if (fault.empty()) return 0;
+    std::fprintf(stderr, "%s\n", fault.c_str());
+    std::abort();
+}
+
+#else
+
 int main(int argc, char** argv) {
+    if (argc == 3 && std::string(argv[1]) == "seeds") {
+        std::size_t number = 0;
+        for (const Seed& from : make_seeds()) {
+            const std::filesystem::path folder = std::filesystem::path(argv[2]) / from.kind;
+            std::filesystem::create_directories(folder);
+            write_bytes((folder / std::to_string(number++)).string(), from.bytes);
+        }
+        return 0;
+    }
     const long iterations = argc > 1 ? std::atol(argv[1]) : 60000;
     const std::uint64_t seed = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1;
     const std::vector<Seed> seeds = make_seeds();
@@ -282,3 +318,5 @@ int main(int argc, char** argv) {
                 iterations, num_read, faults, 1e3 * slowest);
     return faults == 0 ? 0 : 1;
 }
+
+#endif

@@ -9,11 +9,20 @@
 
 namespace mien::fuzz {
 
-/// SplitMix64: small, and the same everywhere.
+/// SplitMix64: small, and the same everywhere. Or the bytes of a fuzzer, two for each number and 0
+/// after their end, so that the fuzzer learns which byte decides what.
 class Random {
   public:
     explicit Random(std::uint64_t seed) : state_(seed) {}
+    /// Borrows the bytes.
+    Random(const unsigned char* bytes, std::size_t size)
+        : state_(0), bytes_(bytes), end_(bytes + size) {}
     std::uint64_t next() {
+        if (bytes_ != nullptr) {
+            std::uint64_t number = bytes_ < end_ ? *bytes_++ : 0;
+            if (bytes_ < end_) number |= static_cast<std::uint64_t>(*bytes_++) << 8;
+            return number;
+        }
         std::uint64_t z = (state_ += 0x9e3779b97f4a7c15ULL);
         z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
         z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
@@ -25,6 +34,7 @@ class Random {
 
   private:
     std::uint64_t state_;
+    const unsigned char *bytes_ = nullptr, *end_ = nullptr;
 };
 
 inline void overwrite_with_limit(std::string& bytes, Random& random) {
