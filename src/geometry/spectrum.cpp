@@ -368,14 +368,7 @@ void sliced_pairs(const Problem& problem, Index k, EigenPairs& pairs, const Cont
     if (column != k) fail_count(shifts.back().value);
 }
 
-}  // namespace
-
-EigenPairs smallest_eigenpairs(const LaplaceOperator& laplace, Index k, const Context& context,
-                               const std::function<void(double)>& progress) {
-    const auto report = [&](double share) {
-        context.check_cancelled();
-        if (progress) progress(share);
-    };
+void check_operator(const LaplaceOperator& laplace, Index k) {
     const Index n = laplace.stiffness.rows();
     if (laplace.stiffness.cols() != n || laplace.mass.size() != n)
         fail(Status::mismatch, "stiffness of %lld rows with %lld masses", static_cast<long long>(n),
@@ -390,6 +383,44 @@ EigenPairs smallest_eigenpairs(const LaplaceOperator& laplace, Index k, const Co
             if (!std::isfinite(it.value()))
                 fail_at(Status::invalid_argument, j, "the stiffness of vertex %lld is not finite",
                         static_cast<long long>(j));
+}
+
+// Slices end in Ritz values; the refined ones may change places within a cluster.
+void sort_pairs(EigenPairs& pairs) {
+    const Index k = pairs.values.size();
+    std::vector<Index> order(static_cast<std::size_t>(k));
+    std::iota(order.begin(), order.end(), Index(0));
+    std::stable_sort(order.begin(), order.end(),
+                     [&](Index a, Index b) { return pairs.values[a] < pairs.values[b]; });
+    for (Index c = 0; c < k; ++c)
+        if (order[c] != c) {
+            // Follow the cycle, so that no second n x k matrix is needed.
+            Vector held = pairs.vectors.col(c);
+            const double held_value = pairs.values[c];
+            Index at = c;
+            while (order[at] != c) {
+                const Index from = order[at];
+                pairs.vectors.col(at) = pairs.vectors.col(from);
+                pairs.values[at] = pairs.values[from];
+                order[at] = at;
+                at = from;
+            }
+            pairs.vectors.col(at) = held;
+            pairs.values[at] = held_value;
+            order[at] = at;
+        }
+}
+
+}  // namespace
+
+EigenPairs smallest_eigenpairs(const LaplaceOperator& laplace, Index k, const Context& context,
+                               const std::function<void(double)>& progress) {
+    const auto report = [&](double share) {
+        context.check_cancelled();
+        if (progress) progress(share);
+    };
+    const Index n = laplace.stiffness.rows();
+    check_operator(laplace, k);
     report(0);
     if (n <= kDenseSize) {
         EigenPairs pairs = dense_pairs(laplace, k);
@@ -435,28 +466,7 @@ EigenPairs smallest_eigenpairs(const LaplaceOperator& laplace, Index k, const Co
         if (!(residual[c] <= allowed))
             fail(Status::no_solution, "eigenpair %lld near %.9g has a residual of %.3g",
                  static_cast<long long>(c), pairs.values[c], residual[c]);
-    // Slices end in Ritz values; the refined ones may change places within a cluster.
-    std::vector<Index> order(static_cast<std::size_t>(k));
-    std::iota(order.begin(), order.end(), Index(0));
-    std::stable_sort(order.begin(), order.end(),
-                     [&](Index a, Index b) { return pairs.values[a] < pairs.values[b]; });
-    for (Index c = 0; c < k; ++c)
-        if (order[c] != c) {
-            // Follow the cycle, so that no second n x k matrix is needed.
-            Vector held = pairs.vectors.col(c);
-            const double held_value = pairs.values[c];
-            Index at = c;
-            while (order[at] != c) {
-                const Index from = order[at];
-                pairs.vectors.col(at) = pairs.vectors.col(from);
-                pairs.values[at] = pairs.values[from];
-                order[at] = at;
-                at = from;
-            }
-            pairs.vectors.col(at) = held;
-            pairs.values[at] = held_value;
-            order[at] = at;
-        }
+    sort_pairs(pairs);
     report(1);
     return pairs;
 }

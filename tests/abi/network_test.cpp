@@ -95,6 +95,17 @@ TEST_F(NetworkAbi, MemoryAndFileAreTheSameNetwork) {
     EXPECT_NE(held.json().find("\"name\":\"small\""), std::string::npos) << held.json();
 }
 
+TEST_F(NetworkAbi, AReferenceKeepsTheNetwork) {
+    mien_network* network = nullptr;
+    ASSERT_EQ(MIEN_OK, mien_network_load(session_.get(), path_.c_str(), &network, nullptr));
+    mien_network_retain(network);
+    mien_network_release(network);
+    std::uint64_t size = 0;
+    EXPECT_EQ(MIEN_OK, mien_network_get_json(network, nullptr, 0, &size, nullptr));
+    EXPECT_GT(size, 1u);
+    mien_network_release(network);
+}
+
 TEST_F(NetworkAbi, TheCountNeedsNoWorkAndShortRoomStaysUntouched) {
     const Network network = Network::load(session_, path_);
     const Mesh given = face(4);
