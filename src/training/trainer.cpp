@@ -262,7 +262,6 @@ class Trainer {
         json.end_array().end_object();
         write_safetensors(path, tensors,
                           {{"kind", "mien-training-state"},
-                           {"format", "1.0"},
                            {"units", "none"},
                            {"fingerprint", mark},
                            {"state", json.take()}},
@@ -271,7 +270,7 @@ class Trainer {
 
     void resume(const std::string& path, const std::string& mark) {
         const SafetensorsFile file = SafetensorsFile::open(path, {}, {});
-        file.require_kind("mien-training-state", 1);
+        file.require_kind("mien-training-state");
         if (file.metadata("fingerprint") != mark)
             fail(Status::mismatch,
                  "%.120s is of another network, other faces or other settings; remove it or choose "
