@@ -278,11 +278,14 @@ std::vector<AnthropometricValue> measure_anthropometry(const TriMesh& face,
     for (const double length : {errors.slide_correlation_mm, errors.normal_correlation_mm})
         if (!(length >= 0) || !std::isfinite(length))
             fail(Status::invalid_argument, "correlation length %g mm; give zero or more", length);
+    context.progress(Stage::measuring, 0);
     const Measuring measuring(face, places, errors);
     std::vector<AnthropometricValue> values;
     for (const AnthropometricDefinition& definition : anthropometric_definitions())
         values.push_back(measuring.of(definition));
+    context.progress(Stage::measuring, 0.5);
     measuring.add_surface_lengths(values, context);
+    context.progress(Stage::measuring, 1);
     return values;
 }
 
