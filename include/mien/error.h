@@ -40,8 +40,8 @@ enum {
  * and nothing is allocated when memory has run out. Set struct_size before the first use; every
  * call overwrites the rest. */
 typedef struct mien_error {
-    uint32_t struct_size; /**< sizeof(mien_error) as the caller knows it; 0, as in a zeroed record,
-                           * is taken for the size of the first release */
+    uint32_t struct_size; /**< sizeof(mien_error) as the caller knows it. 0, as in a zeroed record,
+                           * is taken for the size of the first release. */
     mien_status status;
     int64_t detail_index; /**< first offending index (vertex, triangle, value), or -1 */
     char message[256];    /**< UTF-8, zero-terminated: what, where, what to do. For people. */

@@ -35,9 +35,9 @@ Mesh sheet(mien_session* session, double height) {
 }
 
 mien_landmarks* corners(mien_session* session) {
-    std::ofstream("corners.json") << R"({"vertices": {"ch_right": 0, "ch_left": 10, "sn": 49}})";
+    std::ofstream("anthropometry_corners.json") << R"({"vertices": {"ch_right": 0, "ch_left": 10, "sn": 49}})";
     mien_landmarks* marks = nullptr;
-    EXPECT_EQ(MIEN_OK, mien_landmarks_load(session, "corners.json", &marks, nullptr));
+    EXPECT_EQ(MIEN_OK, mien_landmarks_load(session, "anthropometry_corners.json", &marks, nullptr));
     return marks;
 }
 
@@ -45,9 +45,9 @@ TEST(Anthropometry, GivesValuesReasonsAndScores) {
     Session session;
     const Mesh face = sheet(session, 0);
     mien_landmarks* marks = corners(session);
-    std::ofstream("norms.json") << R"({"norms": {"ch-ch": {"mean": 45, "sd": 2, "people": 30}}})";
+    std::ofstream("anthropometry_norms.json") << R"({"norms": {"ch-ch": {"mean": 45, "sd": 2, "people": 30}}})";
     mien_norms* norms = nullptr;
-    ASSERT_EQ(MIEN_OK, mien_norms_load(session, "norms.json", &norms, nullptr));
+    ASSERT_EQ(MIEN_OK, mien_norms_load(session, "anthropometry_norms.json", &norms, nullptr));
     const std::vector<double> sd(99, 0.3);
     mien_anthropometry_options options;
     mien_anthropometry_options_init(&options, sizeof options);
