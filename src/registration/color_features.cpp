@@ -76,6 +76,17 @@ double mean_between(const std::vector<Shade>& tones, double from, double to) {
     return sum / std::max(kNoWeight, to - from);
 }
 
+// The vertex nearest to the weighted middle.
+Index middle_of(const std::vector<Index>& vertices, const Vector& weight, const Points& rest) {
+    Eigen::RowVector3d middle = Eigen::RowVector3d::Zero();
+    for (std::size_t k = 0; k < vertices.size(); ++k)
+        middle += weight[static_cast<Index>(k)] * rest.row(vertices[k]);
+    middle /= std::max(kNoWeight, weight.sum());
+    return *std::min_element(vertices.begin(), vertices.end(), [&](Index a, Index b) {
+        return (rest.row(a) - middle).squaredNorm() < (rest.row(b) - middle).squaredNorm();
+    });
+}
+
 double weighted_correlation(const Vector& weight, const Vector& a, const Vector& b) {
     const double sum = weight.sum();
     if (!(sum > 0)) return 0;
@@ -121,6 +132,7 @@ void ColorFeatures::add(const char* name, ColorSignal signal, const DeformationM
                 ramp_mm);
     const Triangles& triangles = model.template_mesh.triangles;
     const Points& rest = model.template_mesh.vertices;
+    feature.centre = middle_of(feature.vertices, feature.expected, rest);
     std::vector<std::uint32_t> corners;
     double length = 0;
     for (Index t = 0; t < triangles.rows(); ++t) {
@@ -237,7 +249,8 @@ std::vector<ColorAgreement> ColorFeatures::agreements(const ScanView& scan, cons
         Correspondences found;
         const bool seen = look(feature, scan, places, normals, match, settings_.sharpest_mm, found,
                                view, context);
-        agreements.push_back({feature.name, seen ? view.trust * view.correlation : 0, view.trust});
+        agreements.push_back(
+            {feature.name, seen ? view.trust * view.correlation : 0, view.trust, feature.centre});
         if (!seen) agreements.back().trust = 0;
     }
     return agreements;

@@ -62,7 +62,8 @@ struct ColorAgreement {
     std::string name;  ///< brow_right, brow_left, lips
     double correlation =
         0;  ///< of what is expected and what is seen, -1 to 1; 0 where the scan shows no contrast
-    double trust = 0;  ///< 0 to 1, by the contrast that the scan shows there
+    double trust = 0;   ///< 0 to 1, by the contrast that the scan shows there
+    Index centre = -1;  ///< the feature's middle vertex on the template
 };
 
 /// What a model's template says of brows and lips; scans are asked with each call. Immutable.
@@ -109,6 +110,7 @@ class ColorFeatures {
         VertexRings rings;
         Vector expected;     // 0 to 1
         double edge_mm = 1;  // mean length
+        Index centre = -1;   // vertex nearest to the middle of what is expected
     };
     struct View {  // of a feature, one row per vertex of it
         Points places;

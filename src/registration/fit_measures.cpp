@@ -5,6 +5,7 @@
 
 #include "geometry/normals.hpp"
 #include "model/landmarks.hpp"
+#include "registration/fit_surroundings.hpp"
 
 namespace mien {
 namespace {
@@ -15,7 +16,17 @@ constexpr const char* kWhole = "face";
 struct VertexMeasures {
     std::vector<std::uint8_t> open, seen;
     Vector seen_share, residual_mm, open_mm, turn, stretch2;
+    PlaceMeasures around;
 };
+
+// Value that a share of `values` stays below; 0 of none. Reorders them.
+double quantile(std::vector<double>& values, double share) {
+    if (values.empty()) return 0;
+    const auto at = values.begin() +
+                    static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+}
 
 // Mean over each vertex' edges of the squared logarithm of their stretch, about the mean of those
 // of `about`'s vertices.
@@ -80,10 +91,11 @@ VertexMeasures measure_vertices(const MeasuredFit& f, const ZoneMeasureSettings&
 }
 
 ZoneMeasures measure_zone(const MeasuredFit& f, const VertexMeasures& v, std::string name,
-                          const std::vector<std::uint8_t>& member) {
+                          const std::vector<std::uint8_t>& member, double most_share) {
     ZoneMeasures zone;
     zone.name = std::move(name);
-    double open = 0, seen = 0, share = 0, stretch2 = 0;
+    double open = 0, seen = 0, share = 0, stretch2 = 0, shape2 = 0;
+    std::vector<double> opens;
     for (std::size_t k = 0; k < member.size(); ++k) {
         if (!member[k] || !v.open[k]) continue;
         const Index i = static_cast<Index>(k);
@@ -91,15 +103,27 @@ ZoneMeasures measure_zone(const MeasuredFit& f, const VertexMeasures& v, std::st
         share += v.seen_share[i];
         zone.deviation_mm += f.deviation_mm[i];
         stretch2 += v.stretch2[i];
+        shape2 += v.around.shape2[i];
+        zone.asymmetry_mm += v.around.asymmetry_mm[i];
+        zone.slid_mm += v.around.slid_mm[i];
+        zone.pin_far_mm += v.around.pin_far_mm[i];
+        zone.pin_misfit_mm += v.around.pin_misfit_mm[i];
+        zone.color_hold += v.around.color_hold[i];
+        zone.color_doubt += v.around.color_doubt[i];
         if (!v.seen[k]) continue;
+        opens.push_back(v.open_mm[i]);
         ++seen;
         zone.residual_mm += v.residual_mm[i];
         zone.open_mm += v.open_mm[i];
         zone.turn += v.turn[i];
     }
     zone.unseen = open > 0 ? 1 - share / open : 1;
-    zone.deviation_mm /= std::max(1.0, open);
+    for (double* sum : {&zone.deviation_mm, &zone.asymmetry_mm, &zone.slid_mm, &zone.pin_far_mm,
+                        &zone.pin_misfit_mm, &zone.color_hold, &zone.color_doubt})
+        *sum /= std::max(1.0, open);
     zone.stretch = std::sqrt(stretch2 / std::max(1.0, open));
+    zone.shape_deviation = std::sqrt(shape2 / std::max(1.0, open));
+    zone.open_most_mm = quantile(opens, most_share);
     for (double* sum : {&zone.residual_mm, &zone.open_mm, &zone.turn}) *sum /= std::max(1.0, seen);
     double squares = 0;
     for (const Pin& pin : f.start.pins) {
@@ -152,21 +176,26 @@ WholeMeasures measure_whole(const MeasuredFit& f, double landmark_sigma_mm) {
     whole.size = std::abs(std::log(spread(f.places) / spread(f.model.template_mesh.vertices)));
     whole.is_free = start.is_free() ? 1 : 0;
     whole.is_trained = state.coefficients.pca.size() > 0 ? 1 : 0;
+    whole.landmarks = used;
     return whole;
 }
 
 std::vector<ZoneMeasures> measure_zones(const MeasuredFit& finished,
+                                        const std::vector<ColorAgreement>& colors,
                                         const ZoneMeasureSettings& settings) {
     const Index n = finished.places.rows();
     const Zone* face = find_zone(finished.model.zones, kWhole);
     const std::vector<std::uint8_t> whole =
         face != nullptr ? members_of(*face, n)
                         : std::vector<std::uint8_t>(static_cast<std::size_t>(n), 1);
-    const VertexMeasures vertices = measure_vertices(finished, settings, whole);
-    std::vector<ZoneMeasures> zones{measure_zone(finished, vertices, kWhole, whole)};
+    VertexMeasures vertices = measure_vertices(finished, settings, whole);
+    vertices.around = measure_places(finished, whole, colors, settings);
+    std::vector<ZoneMeasures> zones{
+        measure_zone(finished, vertices, kWhole, whole, settings.most_share)};
     for (const Zone& zone : finished.model.zones)
         if (&zone != face)
-            zones.push_back(measure_zone(finished, vertices, zone.name, members_of(zone, n)));
+            zones.push_back(measure_zone(finished, vertices, zone.name, members_of(zone, n),
+                                         settings.most_share));
     return zones;
 }
 

@@ -16,20 +16,36 @@ struct ZoneMeasureSettings {
     double beside_mm = 10;      ///< mm, > 0: places farther from the scan are not beside it [J]
     double least_weight = 0.3;  ///< 0 to 1: places of less weight do not tell of the surface [J]
     double most_stretch = 2;    ///< > 0: bound on the logarithm of an edge's stretch
+    double most_share = 0.9;    ///< 0 to 1: quantile of the places that the modes left [J]
+    double near_mm = 25;        ///< mm, > 0: how far along the template a landmark's misfit, or a
+                                ///< feature's colours, tell of their surroundings [J]
+    double far_mm = 100;        ///< mm, > 0: farther landmarks are as good as none [J]
+    Index shape_modes = 100;    ///< >= 1: strongest kernel modes that a deviation is held against
 };
 
 /// Of one zone, or of the whole face.
 struct ZoneMeasures {
-    std::string name;         ///< the model's; "face" for the whole
-    double unseen = 0;        ///< 0 to 1: share of its open skin that the scan had no say in
-    double residual_mm = 0;   ///< mean distance to the scan where it had one
-    double open_mm = 0;       ///< mean distance that the modes left to the smooth field there
-    double turn = 0;          ///< mean of 1 - cosine between the modes' normals and the scan's
-    double deviation_mm = 0;  ///< mean stated deviation of a place, per axis
-    double stretch = 0;       ///< root mean square logarithm of the edges' lengths over those at
-                              ///< rest, about the whole face's mean
-    double landmark_mm = 0;   ///< root mean square misfit of the landmarks in it; 0 without
-    int landmarks = 0;        ///< that hold it
+    std::string name;            ///< the model's; "face" for the whole
+    double unseen = 0;           ///< 0 to 1: share of its open skin that the scan had no say in
+    double residual_mm = 0;      ///< mean distance to the scan where it had one
+    double open_mm = 0;          ///< mean distance that the modes left to the smooth field there
+    double turn = 0;             ///< mean of 1 - cosine between the modes' normals and the scan's
+    double deviation_mm = 0;     ///< mean stated deviation of a place, per axis
+    double stretch = 0;          ///< root mean square logarithm of the edges' lengths over those at
+                                 ///< rest, about the whole face's mean
+    double landmark_mm = 0;      ///< root mean square misfit of the landmarks in it; 0 without
+    int landmarks = 0;           ///< that hold it
+    double open_most_mm = 0;     ///< what nine of ten of its places stayed below of open_mm
+    double asymmetry_mm = 0;     ///< mean distance to the mirrored face, rigid motions left out; 0
+                                 ///< when the template has no mirror image
+    double shape_deviation = 0;  ///< root mean square displacement, in the prior's deviations of
+                                 ///< the places
+    double slid_mm = 0;          ///< mean movement along the skin since the start
+    double pin_far_mm = 0;       ///< mean distance to the nearest landmark that holds the fit, on
+                                 ///< the template; bounded by ZoneMeasureSettings::far_mm
+    double pin_misfit_mm = 0;    ///< mean misfit of the landmarks around, by their distance
+    double color_hold = 0;       ///< 0 to 1: how far agreeing colours around hold it
+    double color_doubt = 0;      ///< 0 to 2: how far colours around disagree
 };
 
 /// Of the fit as a whole, whichever zone is asked for.
@@ -48,6 +64,10 @@ struct WholeMeasures {
     double is_free = 0;            ///< 1: fewer than three landmarks hold it
     double is_trained = 0;         ///< 1: trained modes take part
     double no_colors = 0;          ///< 1: colours had no say
+    double landmarks = 0;          ///< that hold the fit
+    double lips_miss = 0;          ///< 1 - agreement of the lips' colours; 0 without
+    double brows_miss = 0;         ///< and of the worse brow's
+    double worst_open_mm = 0, worst_unseen = 0;  ///< of the zones
 };
 
 /// Borrowed.
@@ -62,13 +82,15 @@ struct MeasuredFit {
     const Vector& deviation_mm;                     ///< #V
 };
 
-/// Without color_miss, no_colors and folds, which the verdict counts. `landmark_sigma_mm`: as
+/// Without colours, folds and the worst zone, which the verdict adds. `landmark_sigma_mm`: as
 /// stated.
 WholeMeasures measure_whole(const MeasuredFit& finished, double landmark_sigma_mm);
 
 /// The whole face first (the model's zone "face", else all open skin), then every other zone of the
-/// model in its order. O(V + F) for each zone's vertices once.
+/// model in its order. `colors`: of lips and brows. O(V + F) for each zone's vertices once, O(V P)
+/// for P landmarks.
 std::vector<ZoneMeasures> measure_zones(const MeasuredFit& finished,
+                                        const std::vector<ColorAgreement>& colors,
                                         const ZoneMeasureSettings& settings);
 
 }  // namespace mien

@@ -1,5 +1,6 @@
 #include "registration/fit_record.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -11,7 +12,9 @@ namespace {
 
 constexpr const char* kKind = "mien-fit-record";
 constexpr std::int64_t kNumVerdict = 15, kNumMotion = 13;
-constexpr std::int64_t kNumWhole = 12, kNumZone = 8, kNumExpected = 5;
+constexpr std::int64_t kNumWhole = 17, kNumZone = 16, kNumExpected = 5;
+// Files of before hold fewer measures; those that they lack are 0.
+constexpr std::int64_t kLeastWhole = 12, kLeastZone = 8;
 
 std::uint64_t size_of(Index count) {
     return static_cast<std::uint64_t>(count);
@@ -67,26 +70,33 @@ std::vector<double> numbers_of(const WholeMeasures& w) {
     return {
         w.search_miss,      w.landmark_misfit, w.landmarks_out, w.color_miss, w.trained_deviation,
         w.kernel_deviation, w.kernel_mm,       w.size,          w.folds,      w.is_free,
-        w.is_trained,       w.no_colors};
+        w.is_trained,       w.no_colors,       w.landmarks,     w.lips_miss,  w.brows_miss,
+        w.worst_open_mm,    w.worst_unseen};
 }
 
 void read_numbers(const double* n, WholeMeasures& w) {
     for (double* number : {&w.search_miss, &w.landmark_misfit, &w.landmarks_out, &w.color_miss,
                            &w.trained_deviation, &w.kernel_deviation, &w.kernel_mm, &w.size,
-                           &w.folds, &w.is_free, &w.is_trained, &w.no_colors})
+                           &w.folds, &w.is_free, &w.is_trained, &w.no_colors, &w.landmarks,
+                           &w.lips_miss, &w.brows_miss, &w.worst_open_mm, &w.worst_unseen})
         *number = *n++;
 }
 
 void add_numbers(const ZoneMeasures& z, std::vector<double>& out) {
     out.insert(out.end(), {z.unseen, z.residual_mm, z.open_mm, z.turn, z.deviation_mm, z.stretch,
-                           z.landmark_mm, static_cast<double>(z.landmarks)});
+                           z.landmark_mm, static_cast<double>(z.landmarks), z.open_most_mm,
+                           z.asymmetry_mm, z.shape_deviation, z.slid_mm, z.pin_far_mm,
+                           z.pin_misfit_mm, z.color_hold, z.color_doubt});
 }
 
 void read_numbers(const double* n, ZoneMeasures& z) {
     for (double* number : {&z.unseen, &z.residual_mm, &z.open_mm, &z.turn, &z.deviation_mm,
                            &z.stretch, &z.landmark_mm})
         *number = *n++;
-    z.landmarks = whole(*n, "landmarks of a zone");
+    z.landmarks = whole(*n++, "landmarks of a zone");
+    for (double* number : {&z.open_most_mm, &z.asymmetry_mm, &z.shape_deviation, &z.slid_mm,
+                           &z.pin_far_mm, &z.pin_misfit_mm, &z.color_hold, &z.color_doubt})
+        *number = *n++;
 }
 
 void add_numbers(const ExpectedError& e, std::vector<double>& out) {
@@ -107,19 +117,37 @@ void read_numbers(const double* n, ExpectedError& e) {
     e.cause = static_cast<FitMeasure>(cause);
 }
 
+// Rows of a tensor, each with zeros after what the file holds.
+std::vector<double> padded_rows(const TensorView& tensor, const char* name, std::int64_t least,
+                                std::int64_t columns) {
+    const std::int64_t held = static_cast<std::int64_t>(tensor.shape.back());
+    if (held < least || held > columns)
+        fail(Status::bad_format, "tensor '%s' has %lld measures; %lld to %lld are known", name,
+             static_cast<long long>(held), static_cast<long long>(least),
+             static_cast<long long>(columns));
+    const std::int64_t rows = static_cast<std::int64_t>(tensor.count) / held;
+    const auto* from = static_cast<const double*>(tensor.data);
+    std::vector<double> out(static_cast<std::size_t>(rows * columns), 0.0);
+    for (std::int64_t k = 0; k < rows; ++k)
+        std::copy(from + k * held, from + (k + 1) * held, out.begin() + k * columns);
+    return out;
+}
+
 // What is expected of the zones; files of before have none.
 void read_expected(const SafetensorsFile& file, Verdict& v) {
     if (!file.has("expected_errors")) return;
     const std::vector<std::string> names =
         parse_json_string_list(file.metadata("measured_zones"), "measured_zones");
     const auto count = static_cast<std::int64_t>(names.size());
-    const auto rows = [&](const char* name, std::int64_t columns) {
-        return static_cast<const double*>(file.tensor(name, DType::f64, {count, columns}).data);
-    };
-    read_numbers(static_cast<const double*>(file.tensor("measures", DType::f64, {kNumWhole}).data),
-                 v.whole);
-    const double* measures = rows("zone_measures", kNumZone);
-    const double* errors = rows("expected_errors", kNumExpected);
+    const std::vector<double> whole_row =
+        padded_rows(file.tensor("measures", DType::f64, {-1}), "measures", kLeastWhole, kNumWhole);
+    read_numbers(whole_row.data(), v.whole);
+    const std::vector<double> zone_rows =
+        padded_rows(file.tensor("zone_measures", DType::f64, {count, -1}), "zone_measures",
+                    kLeastZone, kNumZone);
+    const double* measures = zone_rows.data();
+    const auto* errors = static_cast<const double*>(
+        file.tensor("expected_errors", DType::f64, {count, kNumExpected}).data);
     for (std::int64_t k = 0; k < count; ++k) {
         const std::string& name = names[static_cast<std::size_t>(k)];
         v.zones.emplace_back();

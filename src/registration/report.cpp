@@ -40,6 +40,11 @@ void add_measures(JsonText& json, const Verdict& v) {
     json.field("is_free", w.is_free);
     json.field("is_trained", w.is_trained);
     json.field("no_colors", w.no_colors);
+    json.field("landmarks", w.landmarks);
+    json.field("lips_miss", w.lips_miss);
+    json.field("brows_miss", w.brows_miss);
+    json.field("worst_open_mm", w.worst_open_mm);
+    json.field("worst_unseen", w.worst_unseen);
     json.end_object();
     json.key("zones").begin_object();
     for (const ZoneMeasures& zone : v.zones) {
@@ -52,6 +57,14 @@ void add_measures(JsonText& json, const Verdict& v) {
         json.field("stretch", zone.stretch);
         json.field("landmark_mm", zone.landmark_mm);
         json.field("landmarks", zone.landmarks);
+        json.field("open_most_mm", zone.open_most_mm);
+        json.field("asymmetry_mm", zone.asymmetry_mm);
+        json.field("shape_deviation", zone.shape_deviation);
+        json.field("slid_mm", zone.slid_mm);
+        json.field("pin_far_mm", zone.pin_far_mm);
+        json.field("pin_misfit_mm", zone.pin_misfit_mm);
+        json.field("color_hold", zone.color_hold);
+        json.field("color_doubt", zone.color_doubt);
         json.end_object();
     }
     json.end_object();

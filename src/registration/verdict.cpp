@@ -117,11 +117,19 @@ void measure_fit(const MeasuredFit& finished, double landmark_sigma_mm,
     v.may_slide = finished.start.is_free() && finished.prior.pca_modes == 0;
     v.whole = measure_whole(finished, landmark_sigma_mm);
     v.whole.no_colors = v.colors.empty() ? 1 : 0;
-    for (const ColorAgreement& feature : v.colors)
-        v.whole.color_miss = std::max(v.whole.color_miss, 1 - feature.correlation);
+    for (const ColorAgreement& feature : v.colors) {
+        const double miss = 1 - feature.correlation;
+        double& worst = feature.name == "lips" ? v.whole.lips_miss : v.whole.brows_miss;
+        worst = std::max(worst, miss);
+        v.whole.color_miss = std::max(v.whole.color_miss, miss);
+    }
     v.whole.folds = static_cast<double>(v.flipped_triangles) /
                     static_cast<double>(finished.model.template_mesh.triangles.rows());
-    v.zones = measure_zones(finished, settings.zones);
+    v.zones = measure_zones(finished, v.colors, settings.zones);
+    for (const ZoneMeasures& zone : v.zones) {
+        v.whole.worst_open_mm = std::max(v.whole.worst_open_mm, zone.open_mm);
+        v.whole.worst_unseen = std::max(v.whole.worst_unseen, zone.unseen);
+    }
 }
 
 void judge(Verdict& v, const VerdictLimits& l) {

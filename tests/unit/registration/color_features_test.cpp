@@ -140,6 +140,10 @@ TEST(ColorFeatures, InPlaceDoNotPullAndAgree) {
               0.4);  // brows painted as boxes
     const std::vector<ColorAgreement> agreements = sight.agreements(rest, face.normals);
     ASSERT_EQ(agreements.size(), 3u);
+    for (const ColorAgreement& feature : agreements) {
+        ASSERT_GE(feature.centre, 0);
+        EXPECT_EQ(feature.name == "lips", rest(feature.centre, 1) < 0);
+    }
     for (const ColorAgreement& feature : agreements)
         EXPECT_GT(feature.correlation, 0.8) << feature.name;
 }

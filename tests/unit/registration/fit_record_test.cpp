@@ -37,10 +37,14 @@ FitRecord made() {
     fit.verdict.colors_left_out = {"brow_left"};
     fit.verdict.whole.size = 1.0 / 7;
     fit.verdict.whole.no_colors = 1;
+    fit.verdict.whole.landmarks = 66;
+    fit.verdict.whole.worst_unseen = 0.7;
     ZoneMeasures face;
     face.name = "face";
     face.stretch = 1.0 / 3;
     face.landmarks = 5;
+    face.asymmetry_mm = 0.4;
+    face.color_doubt = 1.0 / 9;
     fit.verdict.zones = {face};
     fit.verdict.expected = {{"face", 1.0 / 3, 0.1, 2, FitQuality::doubtful, FitMeasure::stretch}};
     fit.verdict.landmarks_used = 66;
@@ -73,6 +77,36 @@ TEST(FitRecord, LosesNoBitOnItsWayThroughAFile) {
     EXPECT_TRUE(read.fit.verdict.may_slide);
     ASSERT_EQ(read.fit.verdict.expected.size(), 1u);
     EXPECT_EQ(read.fit.verdict.expected[0].cause, FitMeasure::stretch);
+    std::remove(path().c_str());
+}
+
+// Measures were added: files from before them hold fewer columns.
+TEST(FitRecord, MeasuresThatAFileLacksAreZero) {
+    const FitRecord kept = made();
+    save_fit_record(path(), kept.mesh, kept.fit, kept.zones, Context());
+    const SafetensorsFile file = SafetensorsFile::open(path(), {}, Context());
+    std::vector<TensorToWrite> tensors;
+    for (const auto& [name, tensor] : file.tensors()) {
+        tensors.push_back({name, tensor.dtype, tensor.shape, tensor.data});
+        if (name == "measures") tensors.back().shape = {12};
+        if (name == "zone_measures") tensors.back().shape = {1, 8};
+    }
+    const auto read_again = [&] {
+        const std::string old_path = path() + ".old";
+        write_safetensors(old_path, tensors, file.metadata(), Context());
+        const FitRecord read = load_fit_record(old_path, Context());
+        std::remove(old_path.c_str());
+        return read;
+    };
+    const FitRecord read = read_again();
+    EXPECT_EQ(read.fit.verdict.whole.size, kept.fit.verdict.whole.size);
+    EXPECT_EQ(read.fit.verdict.whole.landmarks, 0);
+    ASSERT_EQ(read.fit.verdict.zones.size(), 1u);
+    EXPECT_EQ(read.fit.verdict.zones[0].stretch, kept.fit.verdict.zones[0].stretch);
+    EXPECT_EQ(read.fit.verdict.zones[0].asymmetry_mm, 0);
+    for (TensorToWrite& tensor : tensors)
+        if (tensor.name == "zone_measures") tensor.shape = {1, 5};
+    EXPECT_THROW(read_again(), Error);
     std::remove(path().c_str());
 }
 

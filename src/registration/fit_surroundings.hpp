@@ -1,0 +1,21 @@
+// What the surroundings of a fitted place tell of it: the other half of the face, the shape that
+// the prior expects, where the fit came from, and the landmarks and colours nearby. One number for
+// each vertex; fit_measures.hpp averages them over zones.
+#pragma once
+
+#include "registration/fit_measures.hpp"
+
+namespace mien {
+
+/// Each #V, in the meaning of the ZoneMeasures of that name; shape2 squared.
+struct PlaceMeasures {
+    Vector asymmetry_mm, shape2, slid_mm, pin_far_mm, pin_misfit_mm, color_hold, color_doubt;
+};
+
+/// `whole`: #V, 1 for the vertices of the face, which the mirrored face is laid over. O(V (P + F)
+/// + V K) for P landmarks, F colour features and K modes.
+PlaceMeasures measure_places(const MeasuredFit& finished, const std::vector<std::uint8_t>& whole,
+                             const std::vector<ColorAgreement>& colors,
+                             const ZoneMeasureSettings& settings);
+
+}  // namespace mien
