@@ -121,7 +121,7 @@ class PlaneFit {
         }
         plane_.rms_mm = std::sqrt(squares / sum);
         const double length = settings_.correlation_length_mm;
-        const double pairs = static_cast<double>(plane_.pairs);
+        const double pairs = static_cast<double>(plane_.pairs) / settings_.pairs_together;
         const double places =
             length > 0 ? std::min(pairs, 0.5 * used_area / (2 * kPi * length * length)) : pairs;
         const Eigen::LDLT<Matrix3> factor(normal / sum);
@@ -185,7 +185,8 @@ MirrorPlane find_mirror_plane(const PointsRef& points, const MirrorMap& map, con
             fail_at(Status::invalid_argument, static_cast<std::int64_t>(v),
                     "vertex %zu and its partner do not mirror each other", v);
     if (!(settings.cutoff > 0) || !(settings.least_deviation_mm > 0) ||
-        !(settings.correlation_length_mm >= 0) || settings.max_rounds < 1)
+        !(settings.correlation_length_mm >= 0) || !(settings.pairs_together >= 1) ||
+        settings.max_rounds < 1)
         fail(Status::invalid_argument, "a setting of the mirror plane is out of its range");
     return PlaneFit(points, map, weights, settings).run();
 }

@@ -73,12 +73,13 @@ TEST(MirrorPlane, IsNotTurnedByASwollenCheek) {
     EXPECT_NEAR(plane.offset_mm(), 0, 0.02);
 }
 
-TEST(MirrorPlane, DeviationsHoldTheTruth) {
-    // Errors that go together over 12 mm, as the settings say, in any direction: errors away from
-    // the head's middle alone would not turn the plane.
-    MirrorPlaneSettings settings;
-    settings.correlation_length_mm = 12;
+/// Squares of tilt and offset, stated and true, over faces whose errors go together over a length,
+/// in any direction: errors away from the head's middle alone would not turn the plane.
+struct PlaneErrors {
     double tilts = 0, offsets = 0, stated_tilts = 0, stated_offsets = 0;
+};
+PlaneErrors errors_of_planes(double length_mm, const MirrorPlaneSettings& settings) {
+    PlaneErrors errors;
     constexpr int kFaces = 30;
     for (int k = 0; k < kFaces; ++k) {
         Head head;
@@ -90,21 +91,52 @@ TEST(MirrorPlane, DeviationsHoldTheTruth) {
                           way = 0.3 * Vector3(chance.normal(), chance.normal(), chance.normal());
             for (Index i = 0; i < head.face.vertices.rows(); ++i) {
                 const double d2 = (head.face.vertices.row(i).transpose() - centre).squaredNorm();
-                head.face.vertices.row(i) += std::exp(-d2 / 144) * way.transpose();
+                head.face.vertices.row(i) +=
+                    std::exp(-d2 / (length_mm * length_mm)) * way.transpose();
             }
         }
         const MirrorPlane plane =
             find_mirror_plane(head.face.vertices, head.map,
                               vertex_areas(head.face.vertices, head.face.triangles), settings);
-        tilts += plane.normal.tail<2>().squaredNorm() / 2;
-        offsets += plane.normal.dot(plane.centre) * plane.normal.dot(plane.centre);
-        stated_tilts += plane.tilt_sd_rad() * plane.tilt_sd_rad();
-        stated_offsets += plane.offset_sd_mm() * plane.offset_sd_mm();
+        errors.tilts += plane.normal.tail<2>().squaredNorm() / 2;
+        errors.offsets += plane.normal.dot(plane.centre) * plane.normal.dot(plane.centre);
+        errors.stated_tilts += plane.tilt_sd_rad() * plane.tilt_sd_rad();
+        errors.stated_offsets += plane.offset_sd_mm() * plane.offset_sd_mm();
     }
-    EXPECT_GT(stated_tilts / tilts, 0.5);
-    EXPECT_LT(stated_tilts / tilts, 4.0);
-    EXPECT_GT(stated_offsets / offsets, 0.5);
-    EXPECT_LT(stated_offsets / offsets, 4.0);
+    return errors;
+}
+
+TEST(MirrorPlane, DeviationsHoldTheTruth) {
+    MirrorPlaneSettings settings;
+    settings.correlation_length_mm = 12;
+    const PlaneErrors errors = errors_of_planes(12, settings);
+    EXPECT_GT(errors.stated_tilts / errors.tilts, 0.5);
+    EXPECT_LT(errors.stated_tilts / errors.tilts, 4.0);
+    EXPECT_GT(errors.stated_offsets / errors.offsets, 0.5);
+    EXPECT_LT(errors.stated_offsets / errors.offsets, 4.0);
+}
+
+TEST(MirrorPlane, DefaultDeviationsHoldTemplatesThatSlideByWideStretches) {
+    const PlaneErrors errors = errors_of_planes(30, {});
+    EXPECT_GT(errors.stated_tilts / errors.tilts, 0.7);
+    EXPECT_GT(errors.stated_offsets / errors.offsets, 0.7);
+}
+
+TEST(MirrorPlane, PairsThatGoTogetherCountAsOne) {
+    Head head;
+    head.add_hill(kLeftCheek, 4, 10);
+    MirrorPlaneSettings settings;
+    settings.correlation_length_mm = 0;
+    const Vector areas = vertex_areas(head.face.vertices, head.face.triangles);
+    const MirrorPlane each = find_mirror_plane(head.face.vertices, head.map, areas, settings);
+    settings.pairs_together = 9;
+    const MirrorPlane together = find_mirror_plane(head.face.vertices, head.map, areas, settings);
+    EXPECT_NEAR(together.tilt_sd_rad(), 3 * each.tilt_sd_rad(), 1e-9);
+    EXPECT_NEAR(together.offset_sd_mm(), 3 * each.offset_sd_mm(), 1e-9);
+    settings.pairs_together = 0.5;
+    EXPECT_EQ(test::status_of(
+                  [&] { (void)find_mirror_plane(head.face.vertices, head.map, areas, settings); }),
+              Status::invalid_argument);
 }
 
 TEST(MirrorPlane, RefusesMapsAndPairsThatGiveNone) {
