@@ -112,7 +112,8 @@ class GltfReader {
                  document_.size_of("nodes") == 0 && k < document_.size_of("meshes"); ++k)
                 read_mesh(document_.at("meshes", k), Motion());
         }
-        if (positions_.empty()) fail(Status::bad_format, "glTF: the scene has no mesh");
+        if (positions_.empty())
+            fail(Status::bad_format, "glTF: the scene has no mesh of triangles and no points");
         return finish();
     }
 

@@ -51,9 +51,10 @@ LandmarkFile parse_landmarks(const char* data, std::size_t size, const std::stri
 
 /// Writes by extension: .json, .mrk.json (LPS), .fcsv (LPS), .pp, .pts, .ljson, .csv. Points that
 /// were not picked are written as the format says so, and left out of .pts and .ljson keeps them as
-/// null. Vertex numbers go to .json and .csv only. Throws Status::io, bad_format (unknown
-/// extension), invalid_argument (what the format cannot hold, with the name).
-void write_landmark_file(const std::string& path, const LandmarkFile& file);
+/// null. The unit is kept where the format can name it (.json, .mrk.json, .csv); .fcsv is brought
+/// to mm, as Slicer takes it for. Vertex numbers go to .json and .csv only. Throws Status::io,
+/// bad_format (unknown extension), invalid_argument (what the format cannot hold, with the name).
+void write_landmark_file(const std::string& path, const LandmarkFile& given);
 
 /// Marks the placeholders among the places as not picked and says how many there were.
 std::size_t drop_placeholders(std::vector<Mark>& marks);
@@ -66,6 +67,8 @@ LandmarkFile read_fiducial_csv(const char* data, std::size_t size, const std::st
 LandmarkFile read_table(const char* data, std::size_t size, const std::string& path,
                         const char* format);
 
+/// "", "nan", "-1.#IND", "n/a", "missing", ... in any case.
+bool means_not_picked(const std::string& text);
 /// mm per unit for "mm", "millimetre", "cm", ... in any case; 0 for a name that is none.
 double unit_of_name(const std::string& name);
 /// Lower case ASCII.

@@ -1,5 +1,6 @@
 // Landmarks in JSON: the project's own, 3D Slicer's markups, menpo's ljson.
 #include <cmath>
+#include <initializer_list>
 
 #include "base/error.hpp"
 #include "base/file.hpp"
@@ -12,20 +13,23 @@ namespace {
 
 using Kind = JsonValue::Kind;
 
-/// [x, y, z] with numbers or nulls; null alone and a null among them mean not picked.
+/// [x, y, z] with numbers or nulls; null or [] alone, and a null or "NaN" among them, mean not
+/// picked.
 void read_place(const JsonValue& value, const std::string& path, Mark& mark) {
-    if (value.is(Kind::null)) return;
+    if (value.is(Kind::null) || (value.is(Kind::array) && value.items.empty())) return;
     if (!value.is(Kind::array) || value.items.size() != 3)
         fail(Status::bad_format, "%s: landmark '%s' is not [x, y, z]", shown_path(path).c_str(),
              shown_name(mark.name).c_str());
     bool picked = true;
     for (std::size_t k = 0; k < 3; ++k) {
         const JsonValue& one = value.items[k];
-        if (!one.is(Kind::number) && !one.is(Kind::null))
+        const bool nothing =
+            one.is(Kind::null) || (one.is(Kind::string) && means_not_picked(one.text));
+        if (!one.is(Kind::number) && !nothing)
             fail(Status::bad_format, "%s: landmark '%s' has a coordinate that is no number",
                  shown_path(path).c_str(), shown_name(mark.name).c_str());
         picked = picked && one.is(Kind::number) && std::isfinite(one.number);
-        mark.point[static_cast<Index>(k)] = one.number;
+        if (!nothing) mark.point[static_cast<Index>(k)] = one.number;
     }
     if (picked)
         mark.where = Mark::Where::place;
@@ -58,8 +62,12 @@ void read_named(const JsonValue& list, const std::string& path, const char* shap
     }
 }
 
-double told_unit(const JsonValue& holder, const char* key, const std::string& path) {
-    const JsonValue* unit = holder.find(key);
+/// mm per unit of the first of these keys that holds a name; 0 when none does.
+double told_unit(const JsonValue& holder, std::initializer_list<const char*> keys,
+                 const std::string& path) {
+    const JsonValue* unit = nullptr;
+    for (const char* key : keys)
+        if (unit == nullptr) unit = holder.find(key);
     if (unit == nullptr || !unit->is(Kind::string) || unit->text.empty()) return 0;
     const double unit_to_mm = unit_of_name(unit->text);
     if (unit_to_mm == 0)
@@ -82,7 +90,13 @@ LandmarkFile read_markups(const JsonValue& markups, const std::string& path) {
             fail(Status::bad_format, "%s: the coordinate system '%s' is neither LPS nor RAS",
                  shown_path(path).c_str(), shown_name(told).c_str());
         file.system = told;
-        file.unit_to_mm = told_unit(list, "coordinateUnits", path);
+        const double unit_to_mm = told_unit(list, {"coordinateUnits"}, path);
+        if (!file.marks.empty() && unit_to_mm != file.unit_to_mm)
+            fail(Status::bad_format,
+                 "%s: its lists of points are in different units; bring them "
+                 "to one",
+                 shown_path(path).c_str());
+        file.unit_to_mm = unit_to_mm;
         const JsonValue* points = list.find("controlPoints");
         if (points == nullptr || !points->is(Kind::array)) continue;
         for (const JsonValue& point : points->items) {
@@ -167,7 +181,7 @@ LandmarkFile read_json(const char* data, std::size_t size, const std::string& pa
              "%s: holds neither {\"points\": {name: [x, y, z]}} nor {\"vertices\": {name: index}} "
              "nor markups nor landmarks",
              shown_path(path).c_str());
-    file.unit_to_mm = told_unit(root, "unit", path);
+    file.unit_to_mm = told_unit(root, {"unit", "units"}, path);
     if (points != nullptr)
         read_named(*points, path, "{\"points\": {name: [x, y, z]}}", read_place, file);
     else

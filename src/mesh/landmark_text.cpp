@@ -30,18 +30,7 @@ std::string trimmed(const std::string& text) {
 bool read_number(std::string text, bool decimal_comma, double& value) {
     text = lower(trimmed(text));
     if (decimal_comma) std::replace(text.begin(), text.end(), ',', '.');
-    static constexpr const char* kNothing[] = {"",     "-",       "na",          "n/a",
-                                               "null", "none",    "nil",         "undefined",
-                                               "nan",  "missing", "not defined", "notdefined"};
-    for (const char* word : kNothing)
-        if (text == word) {
-            value = std::numeric_limits<double>::quiet_NaN();
-            return true;
-        }
-    // Windows programs write -1.#IND, 1.#QNAN, 1.#INF; others nan(ind), inf.
-    if (text.find("#ind") != std::string::npos || text.find("#qnan") != std::string::npos ||
-        text.find("#inf") != std::string::npos || text.compare(0, 4, "nan(") == 0 ||
-        text.compare(0, 5, "-nan(") == 0 || text == "-nan") {
+    if (means_not_picked(text)) {
         value = std::numeric_limits<double>::quiet_NaN();
         return true;
     }
@@ -147,11 +136,28 @@ Columns read_titles(const std::vector<std::string>& titles, double& unit) {
     return columns;
 }
 
-/// iBUG's header lines and Landmark's first lines say nothing that the points do not.
-bool is_header(const std::vector<std::string>& fields) {
+/// iBUG's header lines and Landmark's first lines; the number of points is remembered.
+bool is_header(const std::vector<std::string>& fields, double& promised) {
     const std::string first = lower(fields[0]);
-    return first == "{" || first == "}" || first.compare(0, 7, "version") == 0 ||
-           first.compare(0, 8, "n_points") == 0;
+    if (first.compare(0, 8, "n_points") == 0) {
+        read_number(fields.back().substr(fields.back().find(':') + 1), false, promised);
+        return true;
+    }
+    return first == "{" || first == "}" || first.compare(0, 7, "version") == 0;
+}
+
+/// More columns than titles, or than name,x,y,z can need: decimal commas between commas.
+void check_columns(const std::vector<std::string>& fields, std::size_t titles, char separator,
+                   const std::string& path, std::size_t line) {
+    std::size_t count = fields.size();
+    while (count > 0 && fields[count - 1].empty()) --count;
+    bool decimal_points = false;
+    for (const std::string& field : fields)
+        decimal_points = decimal_points || field.find('.') != std::string::npos;
+    if (titles > 0 ? count > titles : separator == ',' && count >= 7 && !decimal_points)
+        fail_line(
+            path, line,
+            "has more columns than the table; write decimal points, or put ; between columns");
 }
 
 /// Columns of a table without titles, by its first line of data.
@@ -197,9 +203,13 @@ Mark read_row(const std::vector<std::string>& fields, const Columns& columns, bo
     if (columns.has_place()) {
         double xyz[3];
         const int axes[3] = {columns.x, columns.y, columns.z};
-        for (int k = 0; k < 3; ++k)
+        int missing = 0;
+        for (int k = 0; k < 3; ++k) {
             if (!read_number(field(axes[k]), decimal_comma, xyz[k]))
                 fail_line(path, line, "a coordinate is no number");
+            missing += field(axes[k]).empty();
+        }
+        if (missing == 1 || missing == 2) fail_line(path, line, "a landmark has no x, y and z");
         if (defined) set_place(xyz, mark);
         return mark;
     }
@@ -240,12 +250,29 @@ bool attribute(const std::string& element, const char* name, std::string& value)
 
 }  // namespace
 
+bool means_not_picked(const std::string& given) {
+    const std::string text = lower(given);
+    static constexpr const char* kNothing[] = {
+        "",        "-",           "?",          "na",         "n/a",      "#n/a",
+        "nan",     "-nan",        "null",       "none",       "nil",      "undefined",
+        "missing", "not defined", "notdefined", "not picked", "notpicked"};
+    for (const char* word : kNothing)
+        if (text == word) return true;
+    // Windows programs write -1.#IND, 1.#QNAN, 1.#INF; others nan(ind), inf.
+    return text.find("#ind") != std::string::npos || text.find("#qnan") != std::string::npos ||
+           text.find("#inf") != std::string::npos || text.compare(0, 4, "nan(") == 0 ||
+           text.compare(0, 5, "-nan(") == 0;
+}
+
 LandmarkFile read_picked_points(const char* data, std::size_t size, const std::string& path) {
     LandmarkFile file;
     file.format = "pp";
     const std::string text(data, size);
     if (text.find("<PickedPoints") == std::string::npos)
         fail(Status::bad_format, "%s: is XML, but not MeshLab's PickedPoints",
+             shown_path(path).c_str());
+    if (text.find("</PickedPoints") == std::string::npos)
+        fail(Status::bad_format, "%s: does not end with </PickedPoints>: it was cut short",
              shown_path(path).c_str());
     for (std::size_t at = 0; (at = text.find("<point", at)) != std::string::npos;) {
         const std::size_t end = text.find('>', at);
@@ -317,7 +344,8 @@ LandmarkFile read_table(const char* data, std::size_t size, const std::string& p
     Columns columns;
     bool known = false;
     const std::vector<std::string> lines = lines_of(data, size);
-    std::size_t number = 0, rows = 0;
+    std::size_t number = 0, rows = 0, titles = 0;
+    double promised = -1;
     for (const std::string& raw : lines) {
         ++number;
         const std::string line = trimmed(raw);
@@ -325,19 +353,27 @@ LandmarkFile read_table(const char* data, std::size_t size, const std::string& p
         const char separator = separator_of(line);
         const bool decimal_comma = separator == ';' || separator == '\t';
         const std::vector<std::string> fields = fields_of(line, separator);
-        if (fields.empty() || is_header(fields)) continue;
+        if (fields.empty() || is_header(fields, promised)) continue;
         if (!known) {
             columns = read_titles(fields, file.unit_to_mm);
             known = true;
-            if (columns.has_place() || (columns.name >= 0 && columns.vertex >= 0)) continue;
+            if (columns.has_place() || (columns.name >= 0 && columns.vertex >= 0)) {
+                titles = fields.size();
+                continue;
+            }
             if (fields.size() == 1 && std::string(format) == "pts") {  // the number of points
                 known = false;
+                read_number(fields[0], false, promised);
                 continue;
             }
             columns = guess_columns(fields, decimal_comma, path, number);
         }
+        check_columns(fields, titles, separator, path, number);
         file.marks.push_back(read_row(fields, columns, decimal_comma, ++rows, path, number));
     }
+    if (promised >= 0 && promised != static_cast<double>(rows))
+        fail(Status::bad_format, "%s: promises %.0f points and holds %zu", shown_path(path).c_str(),
+             promised, rows);
     return file;
 }
 

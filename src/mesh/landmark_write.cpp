@@ -7,6 +7,7 @@
 #include "base/file.hpp"
 #include "base/json_text.hpp"
 #include "mesh/landmark_file.hpp"
+#include "mesh/length_unit.hpp"
 #include "mesh/text_cursor.hpp"
 
 namespace mien {
@@ -26,6 +27,20 @@ bool picked(const Mark& mark) {
     return mark.where == Mark::Where::place;
 }
 
+/// "cm", or empty for a unit that is not told.
+std::string unit_name(const LandmarkFile& file) {
+    for (const LengthUnit& unit : length_units())
+        if (unit.to_mm == file.unit_to_mm) return unit.name;
+    return std::string();
+}
+
+LandmarkFile in_mm(LandmarkFile file) {
+    if (file.unit_to_mm == 0) return file;
+    for (Mark& mark : file.marks) mark.point *= file.unit_to_mm;
+    file.unit_to_mm = 1;
+    return file;
+}
+
 void put_place(JsonText& json, const Mark& mark) {
     if (!picked(mark)) {
         json.null();
@@ -39,7 +54,8 @@ void put_place(JsonText& json, const Mark& mark) {
 std::string own_json(const LandmarkFile& file, bool vertices) {
     JsonText json;
     json.begin_object();
-    if (file.unit_to_mm == 1) json.field("unit", std::string("mm"));
+    const std::string unit = unit_name(file);
+    if (!unit.empty()) json.field("unit", unit);
     json.key(vertices ? "vertices" : "points").begin_object();
     for (const Mark& mark : file.marks) {
         json.key(mark.name);
@@ -57,7 +73,8 @@ std::string markups_json(const LandmarkFile& file) {
     JsonText json;
     json.begin_object().key("markups").begin_array().begin_object();
     json.field("type", std::string("Fiducial")).field("coordinateSystem", std::string("LPS"));
-    if (file.unit_to_mm == 1) json.field("coordinateUnits", std::string("mm"));
+    const std::string unit = unit_name(file);
+    if (!unit.empty()) json.field("coordinateUnits", unit);
     json.key("controlPoints").begin_array();
     std::int64_t number = 0;
     for (const Mark& mark : file.marks) {
@@ -133,7 +150,7 @@ std::string csv_field(const std::string& text) {
 }
 
 std::string table(const LandmarkFile& file, bool vertices) {
-    const std::string unit = file.unit_to_mm == 1 ? "_mm" : "";
+    const std::string name = unit_name(file), unit = name.empty() ? name : "_" + name;
     std::string text =
         vertices ? "name,vertex\n" : "name,x" + unit + ",y" + unit + ",z" + unit + "\n";
     for (const Mark& mark : file.marks) {
@@ -167,8 +184,11 @@ std::string points_text(const LandmarkFile& file) {
 
 }  // namespace
 
-void write_landmark_file(const std::string& path, const LandmarkFile& file) {
+void write_landmark_file(const std::string& path, const LandmarkFile& given) {
     const std::string name = landmark_formats::lower(path);
+    // Slicer takes fiducials for mm; a unit without a name can be told nowhere.
+    const bool to_mm = ends_with(name, ".fcsv") || unit_name(given).empty();
+    const LandmarkFile file = to_mm ? in_mm(given) : given;
     bool vertices = false, places = false;
     for (const Mark& mark : file.marks) {
         vertices = vertices || mark.where == Mark::Where::vertex;

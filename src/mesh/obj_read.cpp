@@ -1,5 +1,6 @@
-// Wavefront OBJ: v with optional colour, vt, f with relative indices, materials with their images;
-// polygons become fans. Groups, normals, lines and curves are stepped over.
+// Wavefront OBJ: v with optional colour, vt, f (or fo, its old name) with relative indices,
+// materials with their images; polygons become fans. Groups, normals, lines and curves are stepped
+// over.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -41,7 +42,7 @@ class ObjReader {
             text_.word(word, length);
             if (length == 1 && *word == 'v')
                 read_vertex();
-            else if (length == 1 && *word == 'f')
+            else if ((length == 1 && *word == 'f') || is_keyword(word, length, "fo"))
                 read_face();
             else if (length == 2 && word[0] == 'v' && word[1] == 't')
                 read_texture();
@@ -135,6 +136,7 @@ class ObjReader {
             text_.skip_blanks();
             if (text_.at_line_end() || !text_.number(values[count])) break;
         }
+        if (text_.peek() == ',') fail_line("a number has a decimal comma; write decimal points");
         if (count < 3) fail_line("a vertex needs three numbers");
         positions_.insert(positions_.end(), values, values + 3);
         // Three or four more numbers are a colour; one more is the weight of a rational curve.

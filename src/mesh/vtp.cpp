@@ -137,6 +137,7 @@ class VtpReader {
         : source_(source), context_(context), size_(source.bytes.size) {}
 
     TriMesh read() {
+        check_end();
         find_appended();
         TagScanner tags(source_.bytes.data, body_end_);
         Tag tag;
@@ -174,6 +175,14 @@ class VtpReader {
         if (!cursor.number(value) || !(value >= 0.0 && value < 1e15) || value != std::floor(value))
             fail(Status::bad_format, "'%s' is no count in a VTP file", shown_name(text).c_str());
         return value;
+    }
+
+    /// A file that was cut between two pieces would be read as a smaller mesh.
+    void check_end() const {
+        const std::string text(source_.bytes.data, size_);
+        const std::size_t last = text.find_last_of('<');
+        if (last == std::string::npos || ply_lower_case(text.substr(last, 9)) != "</vtkfile")
+            fail(Status::bad_format, "the VTP file does not end with </VTKFile>: it was cut short");
     }
 
     /// Raw appended data may hold anything, also what looks like a tag: the tags end before it.

@@ -16,19 +16,39 @@ namespace {
 
 constexpr int kMostColumns = 16;
 
-void skip_separators(TextCursor& text) {
-    for (text.skip_blanks(); text.peek() == ',' || text.peek() == ';'; text.skip_blanks())
+/// How the numbers of a line are kept apart. A comma with no blank beside it may stand between two
+/// numbers or inside of one; beside blanks or semicolons it can only be a decimal comma.
+struct Between {
+    bool bare_comma = false, other = false;
+    bool has_decimal_comma() const { return bare_comma && other; }
+};
+
+/// Steps over blanks, commas and semicolons; what they were is noted when a number follows.
+void skip_separators(TextCursor& text, Between& between, bool after_number) {
+    const std::size_t before = text.remaining();
+    text.skip_blanks();
+    int commas = 0;
+    bool semicolon = false;
+    for (; text.peek() == ',' || text.peek() == ';'; text.skip_blanks()) {
+        semicolon = semicolon || text.peek() == ';';
+        ++commas;
         text.advance();
+    }
+    if (!after_number || text.at_line_end() || text.peek() == '#') return;
+    if (commas == 0 || semicolon)
+        between.other = true;
+    else if (before - text.remaining() == 1)
+        between.bare_comma = true;
 }
 
 /// The numbers of the line; the cursor stays at its end, or before what is no number.
-int read_line(TextCursor& text, double (&values)[kMostColumns]) {
+int read_line(TextCursor& text, double (&values)[kMostColumns], Between& between) {
     int count = 0;
     for (; count < kMostColumns; ++count) {
-        skip_separators(text);
-        if (text.at_line_end() || text.peek() == '#' || !text.number(values[count])) break;
+        skip_separators(text, between, count > 0);
+        if (text.at_line_end() || text.peek() == '#' || !text.number(values[count])) return count;
     }
-    skip_separators(text);
+    skip_separators(text, between, true);
     return count;
 }
 
@@ -60,7 +80,8 @@ TriMesh read_xyz(const Source& source, const Context& context) {
     for (; !text.at_end(); text.skip_line()) {
         if (num_lines++ % kCancelInterval == 0) context.check_cancelled();
         double values[kMostColumns];
-        const int count = read_line(text, values);
+        Between between;
+        const int count = read_line(text, values, between);
         const bool whole =
             text.at_line_end() || text.peek() == '#' || (text.peek() == '/' && count == 0);
         if (count == 0 && whole) continue;
@@ -69,6 +90,10 @@ TriMesh read_xyz(const Source& source, const Context& context) {
         if (!whole || count < 3)
             fail_at(Status::bad_format, text.line(),
                     "line %lld: a point needs three numbers and nothing else",
+                    static_cast<long long>(text.line()));
+        if (between.has_decimal_comma())
+            fail_at(Status::bad_format, text.line(),
+                    "line %lld has decimal commas; write decimal points",
                     static_cast<long long>(text.line()));
         if (columns == 0) columns = count;
         if (count != columns)

@@ -48,12 +48,12 @@ std::string message_of(const std::string& text, const std::string& path, Status 
 TEST(LandmarkFile, OwnJsonKeepsNullNanAndNamesApart) {
     const LandmarkFile file = parse(
         "{\"note\": [1, {\"a\": 2}], \"points\": {\"a\": [1, 2.5, -3], \"b\": null, \"c\": "
-        "[1, NaN, 2], \"d\": [null, null, null]}}",
+        "[1, NaN, 2], \"d\": [null, null, null], \"e\": [], \"f\": [\"NaN\", \"nan\", \"\"]}}",
         "x.json");
     EXPECT_EQ(file.format, "json");
-    ASSERT_EQ(file.marks.size(), 4u);
+    ASSERT_EQ(file.marks.size(), 6u);
     expect_place(file, "a", 1, 2.5, -3);
-    for (const char* name : {"b", "c", "d"}) expect_not_picked(file, name);
+    for (const char* name : {"b", "c", "d", "e", "f"}) expect_not_picked(file, name);
 }
 
 TEST(LandmarkFile, VertexNumbersComeFromJsonTablesAndPlainLists) {
@@ -155,6 +155,49 @@ TEST(LandmarkFile, TablesMayUseAnySeparatorTitlesAndDecimalCommas) {
     expect_place(gaps, "d", 1, 2, 3);
 }
 
+TEST(LandmarkFile, DecimalCommasBetweenCommasAreNotReadAsColumns) {
+    for (const char* text : {"name,x,y,z\nchin,1,5,2,25,-3,75\n", "chin,1,5,2,25,-3,75\n"})
+        EXPECT_NE(message_of(text, "x.csv", Status::bad_format).find("decimal points"),
+                  std::string::npos);
+    // Columns that titles name, trailing separators and a confidence behind are no such thing.
+    for (const char* text : {"name,x,y,z,sure\nchin,1.5,2,-3,0.9\n", "name,x,y,z\nchin,1.5,2,-3,\n",
+                             "chin,1.5,2,-3,1,1,1\n"})
+        expect_place(parse(text, "x.csv"), "chin", 1.5, 2, -3);
+}
+
+TEST(LandmarkFile, WhatWasCutShortIsNotTakenForFewerLandmarks) {
+    EXPECT_NE(
+        message_of("name,x,y,z\na,1,2,3\nb,4,5\n", "x.csv", Status::bad_format).find("line 3"),
+        std::string::npos);
+    for (const char* text :
+         {"version: 1\nn_points: 3\n{\n1 2 3\n4 5 6\n}\n", "Version 1.0\n3\nS0 1 2 3\nS1 4 5 6\n"})
+        EXPECT_NE(message_of(text, "x.pts", Status::bad_format).find("promises 3 points"),
+                  std::string::npos);
+    message_of("<PickedPoints><point x=\"1\" y=\"2\" z=\"3\" name=\"a\"/>", "x.pp",
+               Status::bad_format);
+}
+
+TEST(LandmarkFile, UnitsStayWithTheNumbersInEveryFormat) {
+    const LandmarkFile given =
+        parse("{\"units\": \"cm\", \"points\": {\"a\": [1, -2, 3]}}", "x.json");
+    EXPECT_EQ(given.unit_to_mm, 10);
+    ScratchFolder folder;
+    for (const char* name : {"m.json", "m.mrk.json", "m.csv"}) {
+        write_landmark_file(folder / name, given);
+        const LandmarkFile back = read_landmark_file(folder / name, Context());
+        EXPECT_EQ(back.unit_to_mm, 10) << name;
+        expect_place(back, "a", 1, -2, 3);
+    }
+    // Slicer takes these for millimetres whatever they say.
+    write_landmark_file(folder / "m.fcsv", given);
+    expect_place(read_landmark_file(folder / "m.fcsv", Context()), "a", 10, -20, 30);
+    message_of(
+        "{\"markups\": [{\"coordinateUnits\": \"mm\", \"controlPoints\": [{\"label\": \"a\", "
+        "\"position\": [1, 2, 3]}]}, {\"coordinateUnits\": \"cm\", \"controlPoints\": [{\"label\": "
+        "\"b\", \"position\": [1, 2, 3]}]}]}",
+        "x.mrk.json", Status::bad_format);
+}
+
 TEST(LandmarkFile, RepeatedPlaceholdersAreNotPicked) {
     const LandmarkFile zeros =
         parse("{\"points\": {\"a\": [0, 0, 0], \"b\": [1, 2, 3], \"c\": [-0.0, 0, 0]}}", "x.json");
@@ -219,8 +262,12 @@ TEST(LandmarkFile, EveryTruncationIsReadOrATypedError) {
          {"m.json", "m.mrk.json", "m.fcsv", "m.pp", "m.ljson", "m.csv", "m.pts"}) {
         write_landmark_file(folder / name, given);
         const std::string whole = read_bytes(folder / name);
+        // The table and the fiducials alone do not tell where they end; the last character of the
+        // others is a line's end.
+        const bool open = std::string(name) == "m.csv" || std::string(name) == "m.fcsv";
         for (std::size_t size = 0; size < whole.size(); ++size) try {
                 parse(whole.substr(0, size), name);
+                EXPECT_TRUE(open || size + 3 >= whole.size()) << name << " cut to " << size;
             } catch (const Error& error) {
                 EXPECT_NE(error.status(), Status::internal);
             }

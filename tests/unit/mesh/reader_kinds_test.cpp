@@ -209,6 +209,46 @@ TEST(ReaderKinds, WhatAFileHoldsDecidesWhereItsNameMisleads) {
             expect_square(parse(file.second, extension), file.first + " as " + extension);
 }
 
+TEST(ReaderKinds, DecimalCommasAreNotReadAsSeparators) {
+    for (const char* text : {"1,5 2,25 3,75\n", "1,5;2,25;3,75\n", "0 0 0\n1 2 3,5\n"})
+        EXPECT_NE(message_of(text, "xyz").find("decimal"), std::string::npos) << text;
+    for (const char* text : {"1.5,2.25,3.75\n", "1.5, 2.25, 3.75\n", "1.5 , 2.25 , 3.75 \n",
+                             "  1.5;2.25;3.75;\n", "1.5\t2.25\t3.75\r\n"})
+        EXPECT_EQ(parse(text, "xyz").vertices, points_of({{1.5, 2.25, 3.75}})) << text;
+    EXPECT_NE(message_of("v 1 2 3,5\n", "obj").find("decimal"), std::string::npos);
+    for (const Sample& sample : kSamples)
+        EXPECT_NE(message_of(replaced(sample.text, "1 1 0\n", "1 1,5 0\n"), sample.extension),
+                  "read")
+            << sample.extension;
+}
+
+TEST(ReaderKinds, FacesOfOldObjFilesAreNoPointCloud) {
+    expect_square(parse(replaced(kObj, "f ", "fo "), "obj"), "fo");
+}
+
+TEST(ReaderKinds, NoFormatThatTellsItsEndIsReadCutShort) {
+    constexpr const char* kVtk =
+        "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n0 0 0\n1 0 0\n"
+        "0 1 0\nPOLYGONS 1 4\n3 0 1 2\n";
+    constexpr const char* kVtp =
+        "<VTKFile type=\"PolyData\"><PolyData><Piece NumberOfPoints=\"3\" NumberOfPolys=\"1\">"
+        "<Points><DataArray type=\"Float32\" NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1 0 0 "
+        "0 1 0</DataArray></Points><Polys><DataArray type=\"Int32\" Name=\"connectivity\" "
+        "format=\"ascii\">0 1 2</DataArray><DataArray type=\"Int32\" Name=\"offsets\" "
+        "format=\"ascii\">3</DataArray></Polys></Piece></PolyData></VTKFile>\n";
+    for (const Sample& sample :
+         {Sample{"ply", kPly}, {"stl", kStl}, {"off", kOff}, {"vtk", kVtk}, {"vtp", kVtp}}) {
+        const std::string whole = sample.text;
+        EXPECT_EQ(message_of(whole, sample.extension), "read") << sample.extension;
+        // A VTK file that ends before its polygons is a cloud of points.
+        const std::size_t cloud = whole.find("POLYGONS");
+        for (std::size_t size = cloud == std::string::npos ? 0 : cloud + 8; size + 3 < whole.size();
+             ++size)
+            EXPECT_NE(message_of(whole.substr(0, size), sample.extension), "read")
+                << sample.extension << " cut to " << size;
+    }
+}
+
 TEST(ReaderKinds, EveryFormatOfTheTableReadsWhatItWrites) {
     ScratchFolder folder;
     EXPECT_GE(mesh_formats().size(), 5u);
