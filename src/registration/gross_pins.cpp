@@ -1,10 +1,19 @@
 #include "registration/gross_pins.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "registration/evidence.hpp"
 
 namespace mien {
+namespace {
+
+// Do two landmarks stand where only one can: a placeholder, which its neighbours share?
+bool stand_together(const Pin& a, const Pin& b, double rest_mm, double together) {
+    return (a.place - b.place).norm() < together * rest_mm;
+}
+
+}  // namespace
 
 std::vector<std::size_t> gross_pins(const DeformationModel& model, const std::vector<Pin>& pins,
                                     const Similarity& motion, const GrossPinSettings& settings) {
@@ -25,8 +34,12 @@ std::vector<std::size_t> gross_pins(const DeformationModel& model, const std::ve
         std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count),
                           near.end());
         bool alone = true;
-        for (std::size_t i = 0; i < count; ++i)
-            alone = alone && (moved[near[i].second] - moved[k]).norm() > settings.apart_mm;
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto [squared_mm2, j] = near[i];
+            alone = alone &&
+                    ((moved[j] - moved[k]).norm() > settings.apart_mm ||
+                     stand_together(pins[j], pins[k], std::sqrt(squared_mm2), settings.together));
+        }
         if (alone) gross.push_back(k);
     }
     if (static_cast<double>(gross.size()) > settings.most * static_cast<double>(pins.size()))

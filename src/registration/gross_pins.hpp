@@ -15,7 +15,9 @@ struct GrossPinSettings {
     bool enabled = true;
     std::size_t fewest = 6;      ///< >= 4: fewer pins say nothing of each other
     std::size_t neighbours = 6;  ///< >= 1: nearest ones on the template
-    double apart_mm = 25;        ///< mm, > 0: a displacement that no neighbour comes so near to
+    double apart_mm = 14;        ///< mm, > 0: a displacement that no neighbour comes so near to
+    double together = 0.25;      ///< 0 to 1: of their distance on the template; two that stand
+                                 ///< so near to each other do not speak for each other
     double most = 0.34;          ///< 0 to 1: when a larger share would go, none does
 };
 

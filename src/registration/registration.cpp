@@ -145,26 +145,20 @@ double guess_unit_mm(const DeformationModel& model, const TriMesh& raw, double e
     return best_mm;
 }
 
-}  // namespace
-
-RegistrationResult register_scan(const DeformationModel& model, const TriMesh& raw,
-                                 const std::vector<LandmarkPoint>& landmarks,
-                                 const RegistrationSettings& settings, const Context& context) {
-    check_settings(settings);
-    context.progress(Stage::alignment, 0);
-    IntakeSettings intake = settings.intake;
-    const double known_mm = intake.unit_to_mm > 0                   ? intake.unit_to_mm
-                            : intake.units == UnitRule::millimetres ? 1.0
-                                                                    : 0.0;
-    const LandmarkFrame frame = settle_landmark_frame(model, raw.vertices, landmarks, known_mm,
-                                                      settings.frame, intake.unit);
+// A scan of raw coordinates, all in their unit, that may have been moved by -origin.
+RegistrationResult register_in_frame(const DeformationModel& model, const TriMesh& raw,
+                                     const LandmarkFrame& frame, const Vector3& origin,
+                                     const RegistrationSettings& given, const Context& context) {
+    RegistrationSettings settings = given;
+    IntakeSettings& intake = settings.intake;
+    const std::vector<LandmarkPoint>& landmarks = frame.landmarks;
     if (frame.settled && intake.units != UnitRule::refuse) intake.unit_to_mm = frame.scan_to_mm;
     const PreparedScan scan = prepare_scan(raw, intake, context);
+    settings.start.pose.translation -= scan.unit_to_mm * origin;
     context.progress(Stage::alignment, 0.1);
     const PriorState prior =
         choose_prior(model, settings.prior, settings.inner, settings.colors, context);
-    RegistrationResult result =
-        register_prepared(model, scan, prior, frame.landmarks, settings, context);
+    RegistrationResult result = register_prepared(model, scan, prior, landmarks, settings, context);
     if (const std::string note = describe(frame); !note.empty())
         result.verdict.notes.push_back(note);
     if (frame.unit_guessed) doubt_unit(result.verdict);
@@ -184,6 +178,36 @@ RegistrationResult register_scan(const DeformationModel& model, const TriMesh& r
     result = register_prepared(model, prepare_scan(raw, intake, quiet), prior, landmarks, settings,
                                quiet);
     doubt_unit(result.verdict);
+    return result;
+}
+
+void move_result(const Vector3& by_mm, RegistrationResult& result) {
+    result.fitted.vertices.rowwise() += by_mm.transpose();
+    for (SurfaceHit& hit : result.correspondence) hit.point += by_mm;
+    result.start.translation += by_mm;
+    result.motion.translation += by_mm;
+}
+
+}  // namespace
+
+RegistrationResult register_scan(const DeformationModel& model, const TriMesh& raw,
+                                 const std::vector<LandmarkPoint>& landmarks,
+                                 const RegistrationSettings& settings, const Context& context) {
+    check_settings(settings);
+    context.progress(Stage::alignment, 0);
+    const IntakeSettings& intake = settings.intake;
+    const double known_mm = intake.unit_to_mm > 0                   ? intake.unit_to_mm
+                            : intake.units == UnitRule::millimetres ? 1.0
+                                                                    : 0.0;
+    LandmarkFrame frame = settle_landmark_frame(model, raw.vertices, landmarks, known_mm,
+                                                settings.frame, intake.unit);
+    const Vector3 origin = far_origin(raw.vertices, settings.far);
+    if (origin.isZero()) return register_in_frame(model, raw, frame, origin, settings, context);
+    TriMesh near = raw;
+    near.vertices.rowwise() -= origin.transpose();
+    for (LandmarkPoint& landmark : frame.landmarks) landmark.point -= origin;
+    RegistrationResult result = register_in_frame(model, near, frame, origin, settings, context);
+    move_result(result.verdict.unit_to_mm * origin, result);
     return result;
 }
 

@@ -39,6 +39,7 @@ void check_settings(const RegistrationSettings& s) {
     const LoopSettings& loop = s.fit.loop;
     const EvidenceSettings& evidence = loop.evidence;
     for (const Number& number : {
+             Number{"far spreads", s.far.spreads, 0, kHuge, true},
              Number{"landmark_sigma_mm", s.start.landmark_sigma_mm, 0, kHuge, true},
              Number{"sigma_start_mm", loop.sigma_start_mm, 0, kHuge, true},
              Number{"sigma_end_mm", loop.sigma_end_mm, 0, kHuge, true},

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "registration/confidence.hpp"
+#include "registration/far_scan.hpp"
 #include "registration/gap.hpp"
 #include "registration/inner_parts.hpp"
 #include "registration/landmark_frame.hpp"
@@ -28,6 +29,7 @@ struct GuessSettings {
 
 struct RegistrationSettings {
     IntakeSettings intake;
+    FarScanSettings far;
     LandmarkFrameSettings frame;
     PriorSettings prior;
     ColorFeatureSettings colors;

@@ -203,6 +203,70 @@ TEST(WrongLandmarks, CostNoMoreThanLeavingThemOut) {
     }
 }
 
+// Landmarks that were never picked stand at one place, and neighbours among them moved there alike:
+// they must not speak for each other.
+TEST(WrongLandmarks, NeighboursAtOnePlaceholderDoNotSpeakForEachOther) {
+    const SmallFace face = small_face();
+    const Similarity motion = motion_of(20, Vector3(1, 2, 0), Vector3(60, -50, 80));
+    const TriMesh scan = scan_of(face, motion);
+    const auto landmarks = landmarks_of(face, motion);
+    auto given = landmarks;
+    std::vector<LandmarkPoint> left;
+    for (std::size_t k = 0; k < landmarks.size(); ++k)
+        if (k < 5)  // a third, all of one cheek
+            given[k].point = Vector3(1e-7 * static_cast<double>(k), 0, 0);
+        else
+            left.push_back(landmarks[k]);
+    const RegistrationResult without = register_scan(face.model, scan, left, {}, {});
+    const RegistrationResult with = register_scan(face.model, scan, given, {}, {});
+    EXPECT_EQ(with.verdict.landmarks_rejected.size(), 5u);
+    EXPECT_EQ(with.fitted.vertices, without.fitted.vertices);
+}
+
+TEST(WrongLandmarks, PicksAFingersBreadthOffAreFoundToo) {
+    const SmallFace face = small_face();
+    const TriMesh scan = scan_of(face, Similarity());
+    auto landmarks = landmarks_of(face, Similarity());
+    landmarks[3].point += Vector3(14, 10, 4);
+    landmarks[9].point += Vector3(-12, 8, -11);
+    const RegistrationResult fit = register_scan(face.model, scan, landmarks, {}, {});
+    EXPECT_EQ(fit.verdict.landmarks_rejected, (std::vector<std::string>{"p9", "p3"}));
+}
+
+// In a country's grid, in metres: 5,400 km are 5.4e9 mm, and all arms of levers would be so long.
+TEST(FarScan, AGridsCoordinatesCostNothing) {
+    const SmallFace face = small_face();
+    TriMesh scan = scan_of(face, Similarity());
+    const auto landmarks = landmarks_of(face, Similarity());
+    const Vector3 grid(350000, 5400000, 120);
+    const auto moved = [&](double unit) {
+        TriMesh far = scan;
+        far.vertices = (scan.vertices / unit).rowwise() + grid.transpose();
+        return far;
+    };
+    for (const double unit : {1.0, 1000.0}) {
+        std::vector<LandmarkPoint> picks = landmarks;
+        for (LandmarkPoint& pick : picks) pick.point = pick.point / unit + grid;
+        for (const auto& given : {std::vector<LandmarkPoint>(), picks}) {
+            const RegistrationResult here =
+                register_scan(face.model, scan, given.empty() ? given : landmarks, {}, {});
+            const RegistrationResult there = register_scan(face.model, moved(unit), given, {}, {});
+            EXPECT_EQ(there.verdict.unit_to_mm, unit);
+            EXPECT_EQ(there.verdict.quality, here.verdict.quality);
+            const Points back = there.fitted.vertices.rowwise() - (unit * grid).transpose();
+            EXPECT_LT((back - here.fitted.vertices).rowwise().norm().maxCoeff(), 0.05);
+            EXPECT_LT((there.correspondence[0].point - unit * grid).norm(), 300);
+            EXPECT_LT((there.motion.translation - unit * grid).norm(), 300);
+        }
+    }
+    // A given pose is told in the scan's coordinates.
+    RegistrationSettings settings;
+    settings.start.kind = StartKind::pose;
+    settings.start.pose.translation = grid;
+    const RegistrationResult fit = register_scan(face.model, moved(1), {}, settings, {});
+    EXPECT_LT(fit.residual_mm.cwiseAbs().mean(), 0.3);
+}
+
 TEST(AnyPose, UpsideDownAndFacingAwayAreFound) {
     const SmallFace face = small_face();
     for (const Similarity& motion : {motion_of(180, Vector3(0, 0, 1), Vector3(10, 20, 30)),
