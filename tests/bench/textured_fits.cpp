@@ -29,7 +29,7 @@ Fit fit(const DeformationModel& model, const Case& one, const TriMesh& scan, boo
     settings.colors.enabled = colors;
     const RegistrationResult result = register_scan(
         model, scan, landmarks ? one.landmarks : std::vector<LandmarkPoint>(), settings, context);
-    return {errors_of(model, one, result).face_mm, result.fitted.vertices};
+    return {errors_of(model, {}, one, result).face_mm, result.fitted.vertices};
 }
 
 struct File {

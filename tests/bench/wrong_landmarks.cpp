@@ -67,7 +67,8 @@ Row try_fault(const DeformationModel& model, const Case& one, Fault fault, std::
     }
     const RegistrationResult with = register_scan(model, one.scan, given, {}, context);
     const RegistrationResult without = register_scan(model, one.scan, left, {}, context);
-    Row row{errors_of(model, one, with).face_mm, errors_of(model, one, without).face_mm, 0, 0};
+    Row row{errors_of(model, {}, one, with).face_mm, errors_of(model, {}, one, without).face_mm, 0,
+            0};
     for (const std::string& name : with.verdict.landmarks_rejected)
         ++(names.count(name) > 0 ? row.rejected : row.wrongly);
     return row;
