@@ -35,21 +35,24 @@ void* MIEN_REAL(MIEN_NEW_NOTHROW)(std::size_t size, const std::nothrow_t& tag) n
 void MIEN_REAL(MIEN_DELETE_SIZED)(void* block, std::size_t size) noexcept;
 
 void* MIEN_WRAPPED(MIEN_NEW)(std::size_t size) {
-    mien::check_budget(size);
-    void* const block = MIEN_REAL(MIEN_NEW)(size);
-    mien::count_taken(size);
-    return block;
+    mien::reserve_budget(size);
+    try {
+        return MIEN_REAL(MIEN_NEW)(size);
+    } catch (...) {
+        mien::return_budget(size);
+        throw;
+    }
 }
 
 void* MIEN_WRAPPED(MIEN_NEW_NOTHROW)(std::size_t size, const std::nothrow_t& tag) noexcept {
-    if (mien::exceeds_budget(size)) return nullptr;
+    if (!mien::reserves_budget(size)) return nullptr;
     void* const block = MIEN_REAL(MIEN_NEW_NOTHROW)(size, tag);
-    if (block != nullptr) mien::count_taken(size);
+    if (block == nullptr) mien::return_budget(size);
     return block;
 }
 
 void MIEN_WRAPPED(MIEN_DELETE_SIZED)(void* block, std::size_t size) noexcept {
-    if (block != nullptr) mien::count_given(size);
+    if (block != nullptr) mien::return_budget(size);
     MIEN_REAL(MIEN_DELETE_SIZED)(block, size);
 }
 

@@ -33,12 +33,16 @@ inline MemoryFile copy_memory_file(const void* data, std::uint64_t size, const C
     SafetensorsFile::from_memory(data, length, header, context);
     context.require_memory(length, "a model from memory");
     constexpr std::align_val_t kAlignment{64};
-    check_budget(length);
-    const std::shared_ptr<void> bytes(::operator new(length, kAlignment), [length](void* block) {
-        count_given(length);
-        ::operator delete (block, std::align_val_t{64});
+    reserve_budget(length);
+    void* const block = ::operator new(length, kAlignment, std::nothrow);
+    if (block == nullptr) {
+        return_budget(length);
+        throw std::bad_alloc();
+    }
+    const std::shared_ptr<void> bytes(block, [length](void* taken) {
+        return_budget(length);
+        ::operator delete (taken, std::align_val_t{64});
     });
-    count_taken(length);
     std::memcpy(bytes.get(), data, length);
     return {bytes, SafetensorsFile::from_memory(bytes.get(), length, {}, context)};
 }

@@ -90,6 +90,9 @@ mien_mend(${file} 1 "        m_data.resize(count);\n"
 mien_mend(${file} 1
     "        return; \n      m_innerNonZeros = static_cast<StorageIndex*>(std::malloc(m_outerSize * sizeof(StorageIndex)));\n"
     "        return; \n      m_innerNonZeros = static_cast<StorageIndex*>(std::malloc(m_outerSize * sizeof(StorageIndex)));\n      if (!m_innerNonZeros) internal::throw_std_bad_alloc();\n")
+foreach(call malloc realloc free)
+    string(REPLACE "std::${call}(" "mien::counted_${call}(" text "${text}")
+endforeach()
 mien_put(${file})
 
 set(file SparseCore/AmbiVector.h)
@@ -104,52 +107,53 @@ mien_take(${file})
 mien_mend(${file} 6 "      m_qr.~QRType();\n      ::new (&m_qr) QRType(" "      m_qr = QRType(")
 mien_put(${file})
 
-# Every dense block and every sparse one counts towards the memory that the running call may take.
+# Every dense block and every sparse one counts towards the memory that the running call may take: those that malloc()
+# aligns well enough and those that Eigen aligns by hand (32 bytes for AVX2; AddressSanitizer). Room is reserved before the
+# system is asked, so that threads that ask in the same moment cannot all get the last of it.
 set(file Core/util/Memory.h)
 mien_take(${file})
 mien_mend(${file} 1 "namespace Eigen {\n\nnamespace internal {\n\nEIGEN_DEVICE_FUNC\ninline void throw_std_bad_alloc()"
     "namespace mien {
-void check_budget(std::size_t bytes);
-void count_taken(std::size_t bytes) noexcept;
-void count_given(std::size_t bytes) noexcept;
-void count_taken_block(void* block) noexcept;
-void count_given_block(void* block) noexcept;
+void* counted_malloc(std::size_t bytes);
+void* counted_realloc(void* block, std::size_t bytes);
+void counted_free(void* block) noexcept;
+void reserve_budget(std::size_t bytes);
+void return_budget(std::size_t bytes) noexcept;
 void check_interrupt();
 }
 
 namespace Eigen {\n\nnamespace internal {\n\nEIGEN_DEVICE_FUNC\ninline void throw_std_bad_alloc()")
-mien_mend(${file} 1 "    EIGEN_USING_STD(malloc)\n    result = malloc(size);\n"
-    "    EIGEN_USING_STD(malloc)\n    mien::check_budget(size);\n    result = malloc(size);\n    mien::count_taken_block(result);\n")
-mien_mend(${file} 1 "  EIGEN_USING_STD(malloc)\n  void *result = malloc(size);\n"
-    "  EIGEN_USING_STD(malloc)\n  mien::check_budget(size);\n  void *result = malloc(size);\n  mien::count_taken_block(result);\n")
-mien_mend(${file} 1 "    EIGEN_USING_STD(free)\n    free(ptr);\n\n"
-    "    EIGEN_USING_STD(free)\n    mien::count_given_block(ptr);\n    free(ptr);\n\n")
-mien_mend(${file} 1 "  EIGEN_USING_STD(free)\n  free(ptr);\n}\n\ntemplate"
-    "  EIGEN_USING_STD(free)\n  mien::count_given_block(ptr);\n  free(ptr);\n}\n\ntemplate")
-mien_mend(${file} 1 "  result = std::realloc(ptr,new_size);\n"
-    "  mien::check_budget(new_size > old_size ? new_size - old_size : 0);
-  void* const before = ptr;
-  mien::count_given_block(ptr);
-  result = std::realloc(ptr,new_size);
-  mien::count_taken_block(result ? result : before);\n")
+mien_mend(${file} 1 "malloc(size+alignment);" "mien::counted_malloc(size+alignment);")
+mien_mend(${file} 1 "    free(*(reinterpret_cast<void**>(ptr) - 1));" "    mien::counted_free(*(reinterpret_cast<void**>(ptr) - 1));")
+mien_mend(${file} 1 "std::realloc(original,size+EIGEN_DEFAULT_ALIGN_BYTES);"
+    "mien::counted_realloc(original,size+EIGEN_DEFAULT_ALIGN_BYTES);")
+mien_mend(${file} 2 " = malloc(size);" " = mien::counted_malloc(size);")
+mien_mend(${file} 2 " free(ptr);" " mien::counted_free(ptr);")
+mien_mend(${file} 1 "  result = std::realloc(ptr,new_size);" "  result = mien::counted_realloc(ptr,new_size);")
+mien_mend(${file} 1 "  return std::realloc(ptr, new_size);" "  return mien::counted_realloc(ptr, new_size);")
 mien_put(${file})
 set(file SparseCore/CompressedStorage.h)
 mien_take(${file})
 set(entry "Index(sizeof(Scalar) + sizeof(StorageIndex))")
 mien_mend(${file} 1 "    ~CompressedStorage()\n    {\n"
-    "    ~CompressedStorage()\n    {\n      mien::count_given(std::size_t(m_allocatedSize*${entry}));\n")
+    "    ~CompressedStorage()\n    {\n      mien::return_budget(std::size_t(m_allocatedSize*${entry}));\n")
+# Two blocks of new[]: reserved for both, and given back when either is not to be had.
+set(reserved "struct Reserved {
+        explicit Reserved(std::size_t asked) : bytes(asked) { mien::reserve_budget(asked); }
+        ~Reserved() { mien::return_budget(bytes); }
+        std::size_t bytes;
+      }")
 mien_mend(${file} 1 "      eigen_internal_assert(size!=m_allocatedSize);\n"
-    "      eigen_internal_assert(size!=m_allocatedSize);\n      mien::check_budget(std::size_t(size*${entry}));\n")
+    "      eigen_internal_assert(size!=m_allocatedSize);\n      ${reserved} reserved(std::size_t(size*${entry}));\n")
 mien_mend(${file} 1 "      m_allocatedSize = size;\n"
-    "      mien::count_taken(std::size_t(size*${entry}));
-      mien::count_given(std::size_t(m_allocatedSize*${entry}));
+    "      reserved.bytes = std::size_t(m_allocatedSize*${entry});  // what is given back now is the old one
       m_allocatedSize = size;\n")
 # Here the new capacity was noted before its two blocks were there.
 mien_mend(${file} 1 "          m_allocatedSize = 2*(m_size+1);\n" "          const Index grown = 2*(m_size+1);
-          mien::check_budget(std::size_t(grown*${entry}));\n")
+          ${reserved} reserved(std::size_t(grown*${entry}));\n")
 mien_mend(${file} 1 "newValues(m_allocatedSize);" "newValues(grown);")
 mien_mend(${file} 1 "newIndices(m_allocatedSize);" "newIndices(grown);
-          mien::count_taken(std::size_t((grown - m_allocatedSize)*${entry}));
+          reserved.bytes = std::size_t(m_allocatedSize*${entry});
           m_allocatedSize = grown;")
 mien_put(${file})
 

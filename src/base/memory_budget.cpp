@@ -1,5 +1,7 @@
 #include "base/memory_budget.hpp"
 
+#include <cstdlib>
+
 #include "base/context.hpp"
 
 #if defined(__GLIBC__) || defined(__linux__)
@@ -47,30 +49,46 @@ void check_interrupt() {
         budget_of_thread->context->check_cancelled();
 }
 
-bool exceeds_budget(std::size_t bytes) noexcept {
-    const MemoryBudget* const budget = budget_of_thread;
-    if (budget == nullptr || budget->max_bytes == 0) return false;
-    if (bytes > budget->max_bytes) return true;
-    return budget->live.load(std::memory_order_relaxed) >
-           static_cast<std::int64_t>(budget->max_bytes - bytes);
+namespace {
+
+/// Adds `bytes` to what is live unless that would exceed the limit; the sum as it was found.
+bool try_reserve(MemoryBudget& budget, std::size_t bytes, std::int64_t& found) noexcept {
+    if (budget.max_bytes == 0) {
+        budget.live.fetch_add(static_cast<std::int64_t>(bytes), std::memory_order_relaxed);
+        return true;
+    }
+    found = budget.live.load(std::memory_order_relaxed);
+    do {
+        if (bytes > budget.max_bytes || found > static_cast<std::int64_t>(budget.max_bytes - bytes))
+            return false;
+    } while (!budget.live.compare_exchange_weak(found, found + static_cast<std::int64_t>(bytes),
+                                                std::memory_order_relaxed));
+    return true;
 }
 
-void check_budget(std::size_t bytes) {
-    if (exceeds_budget(bytes))
-        throw BudgetExceeded(bytes, budget_of_thread->live.load(std::memory_order_relaxed),
-                             budget_of_thread->max_bytes);
-}
-
-void count_taken(std::size_t bytes) noexcept {
+/// The block is larger or smaller than what was reserved for it.
+void settle(std::size_t block_bytes, std::size_t reserved) noexcept {
     if (budget_of_thread != nullptr)
-        budget_of_thread->live.fetch_add(static_cast<std::int64_t>(bytes),
-                                         std::memory_order_relaxed);
+        budget_of_thread->live.fetch_add(
+            static_cast<std::int64_t>(block_bytes) - static_cast<std::int64_t>(reserved),
+            std::memory_order_relaxed);
 }
 
-void count_given(std::size_t bytes) noexcept {
-    if (budget_of_thread != nullptr)
-        budget_of_thread->live.fetch_sub(static_cast<std::int64_t>(bytes),
-                                         std::memory_order_relaxed);
+}  // namespace
+
+void reserve_budget(std::size_t bytes) {
+    std::int64_t found = 0;
+    if (budget_of_thread != nullptr && !try_reserve(*budget_of_thread, bytes, found))
+        throw BudgetExceeded(bytes, found, budget_of_thread->max_bytes);
+}
+
+bool reserves_budget(std::size_t bytes) noexcept {
+    std::int64_t found = 0;
+    return budget_of_thread == nullptr || try_reserve(*budget_of_thread, bytes, found);
+}
+
+void return_budget(std::size_t bytes) noexcept {
+    settle(0, bytes);
 }
 
 std::shared_ptr<char> counted_block(std::size_t bytes) {
@@ -79,12 +97,27 @@ std::shared_ptr<char> counted_block(std::size_t bytes) {
             [bytes](char* block) { ::operator delete(block, bytes); }};
 }
 
-void count_taken_block(void* block) noexcept {
-    if (budget_of_thread != nullptr) count_taken(size_of_block(block));
+void* counted_malloc(std::size_t bytes) {
+    reserve_budget(bytes);
+    void* const block = std::malloc(bytes);
+    settle(budget_of_thread == nullptr || block == nullptr ? 0 : size_of_block(block), bytes);
+    return block;
 }
 
-void count_given_block(void* block) noexcept {
-    if (budget_of_thread != nullptr) count_given(size_of_block(block));
+void* counted_realloc(void* block, std::size_t bytes) {
+    if (budget_of_thread == nullptr) return std::realloc(block, bytes);
+    const std::size_t before = block == nullptr ? 0 : size_of_block(block);
+    const std::size_t growth = bytes > before ? bytes - before : 0;
+    reserve_budget(growth);
+    void* const grown = std::realloc(block, bytes);
+    // One that failed has left the block as it was.
+    settle(grown == nullptr ? before : size_of_block(grown), before + growth);
+    return grown;
+}
+
+void counted_free(void* block) noexcept {
+    if (budget_of_thread != nullptr && block != nullptr) return_budget(size_of_block(block));
+    std::free(block);
 }
 
 }  // namespace mien

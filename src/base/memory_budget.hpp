@@ -57,17 +57,19 @@ class BudgetScope {
 /// Throws as Context::check_cancelled() of the current budget's context does; nothing without one.
 void check_interrupt();
 
-/// Throws BudgetExceeded when `bytes` more would exceed the current budget.
-void check_budget(std::size_t bytes);
-/// True when they would.
-bool exceeds_budget(std::size_t bytes) noexcept;
-void count_taken(std::size_t bytes) noexcept;
-void count_given(std::size_t bytes) noexcept;
+/// Counts `bytes` towards the current budget, before they are allocated: throws BudgetExceeded, and
+/// counts nothing, when they would exceed it. Exact however many threads ask at once.
+void reserve_budget(std::size_t bytes);
+/// The same without throwing; false when they would.
+bool reserves_budget(std::size_t bytes) noexcept;
+void return_budget(std::size_t bytes) noexcept;
 /// A block of bytes, not initialised, that counts while it lives; arrays of new[] do not.
 std::shared_ptr<char> counted_block(std::size_t bytes);
-/// The same for blocks of malloc(), by the size that the system gave them; nothing where it does
-/// not tell.
-void count_taken_block(void* block) noexcept;
-void count_given_block(void* block) noexcept;
+/// malloc(), realloc() and free() that count blocks by the size that the system gave them (a system
+/// that does not tell it has them uncounted). Null when the system has no memory; throws
+/// BudgetExceeded. Eigen's blocks come from here.
+void* counted_malloc(std::size_t bytes);
+void* counted_realloc(void* block, std::size_t bytes);
+void counted_free(void* block) noexcept;
 
 }  // namespace mien
