@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "base/memory_budget.hpp"
 #include "base/safetensors.hpp"
+#include "base/types.hpp"
 
 namespace mien::abi {
 
@@ -32,17 +32,10 @@ inline MemoryFile copy_memory_file(const void* data, std::uint64_t size, const C
     header.verify_hash = header.verify_finite = false;
     SafetensorsFile::from_memory(data, length, header, context);
     context.require_memory(length, "a model from memory");
-    constexpr std::align_val_t kAlignment{64};
-    reserve_budget(length);
-    void* const block = ::operator new(length, kAlignment, std::nothrow);
-    if (block == nullptr) {
-        return_budget(length);
-        throw std::bad_alloc();
-    }
-    const std::shared_ptr<void> bytes(block, [length](void* taken) {
-        return_budget(length);
-        ::operator delete (taken, std::align_val_t{64});
-    });
+    // Counted towards the budget while it lives, and aligned as a mapped file is.
+    void* const block = Eigen::internal::handmade_aligned_malloc(length, 64);
+    if (block == nullptr) throw std::bad_alloc();
+    const std::shared_ptr<void> bytes(block, Eigen::internal::handmade_aligned_free);
     std::memcpy(bytes.get(), data, length);
     return {bytes, SafetensorsFile::from_memory(bytes.get(), length, {}, context)};
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <new>
 
 #include "base/dense.hpp"
 #include "base/error.hpp"
@@ -17,10 +18,17 @@ const network_loops::Loops& network_kernels() {
 
 void AlignedFloats::resize(std::size_t count) {
     if (count <= size_) return;
-    auto* block = static_cast<float*>(::operator new (count * sizeof(float), std::align_val_t{64}));
+    // Eigen's, which count towards the memory of the call.
+    auto* block =
+        static_cast<float*>(Eigen::internal::handmade_aligned_malloc(count * sizeof(float), 64));
+    if (block == nullptr) throw std::bad_alloc();
     std::memset(block, 0, count * sizeof(float));
     data_.reset(block);
     size_ = count;
+}
+
+void AlignedFloats::Free::operator()(float* block) const {
+    Eigen::internal::handmade_aligned_free(block);
 }
 
 void PackedMatrix::pack(const float* weights, Index depth, Index columns) {

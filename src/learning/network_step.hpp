@@ -26,7 +26,7 @@ class AlignedFloats {
 
   private:
     struct Free {
-        void operator()(float* block) const { ::operator delete (block, std::align_val_t{64}); }
+        void operator()(float* block) const;
     };
     std::unique_ptr<float, Free> data_;
     std::size_t size_ = 0;
