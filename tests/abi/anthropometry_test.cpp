@@ -3,19 +3,20 @@
 #include <string>
 #include <vector>
 
-#include "handles.hpp"
+#include "sheets.hpp"
 
 namespace {
 
 using namespace mien_test;
 
-/// A sheet about x = 0, 11 x 9 vertices, 5 mm apart, with a hill of `height` on its left side.
-Mesh sheet(mien_session* session, double height) {
+/// A sheet about x = 0, 11 x 9 vertices, 5 mm apart (`cell` across), with a hill of `height` on its
+/// left side.
+Mesh sheet(mien_session* session, double height, double cell = 5) {
     std::vector<double> positions;
     std::vector<uint32_t> triangles;
     for (int j = 0; j < 9; ++j)
         for (int i = 0; i < 11; ++i) {
-            const double x = 5.0 * (i - 5), y = 5.0 * j;
+            const double x = cell * (i - 5), y = 5.0 * j;
             const double d2 = (x - 12) * (x - 12) + (y - 20) * (y - 20);
             positions.insert(positions.end(), {x, y, 0.01 * x * x + height * std::exp(-d2 / 50)});
         }
@@ -35,7 +36,8 @@ Mesh sheet(mien_session* session, double height) {
 }
 
 mien_landmarks* corners(mien_session* session) {
-    std::ofstream("anthropometry_corners.json") << R"({"vertices": {"ch_right": 0, "ch_left": 10, "sn": 49}})";
+    std::ofstream("anthropometry_corners.json")
+        << R"({"vertices": {"ch_right": 0, "ch_left": 10, "sn": 49}})";
     mien_landmarks* marks = nullptr;
     EXPECT_EQ(MIEN_OK, mien_landmarks_load(session, "anthropometry_corners.json", &marks, nullptr));
     return marks;
@@ -45,7 +47,8 @@ TEST(Anthropometry, GivesValuesReasonsAndScores) {
     Session session;
     const Mesh face = sheet(session, 0);
     mien_landmarks* marks = corners(session);
-    std::ofstream("anthropometry_norms.json") << R"({"norms": {"ch-ch": {"mean": 45, "sd": 2, "people": 30}}})";
+    std::ofstream("anthropometry_norms.json")
+        << R"({"norms": {"ch-ch": {"mean": 45, "sd": 2, "people": 30}}})";
     mien_norms* norms = nullptr;
     ASSERT_EQ(MIEN_OK, mien_norms_load(session, "anthropometry_norms.json", &norms, nullptr));
     const std::vector<double> sd(99, 0.3);
@@ -91,6 +94,86 @@ TEST(Anthropometry, GivesValuesReasonsAndScores) {
     mien_norms_release(norms);
     mien_landmarks_release(marks);
     mien_anthropometry_release(list);  // holds nothing of the norms
+}
+
+/// The text of one measurement in the JSON of all.
+std::string part_of(const std::string& json, const std::string& name) {
+    const std::size_t at = json.find("\"name\":\"" + name + "\"");
+    EXPECT_NE(std::string::npos, at) << name;
+    return at == std::string::npos ? std::string() : json.substr(at, json.find("}", at) - at);
+}
+
+/// Twelve people of known breadth; the odd ones were measured twice, the last one smiles only.
+std::string breadths(mien_session* session, double& mean, double& sd) {
+    constexpr int kPeople = 12;
+    const Mesh topology = sheet(session, 0);
+    const char* names[] = {"neutral", "smile"};
+    mien_dataset_writer* writer = nullptr;
+    EXPECT_EQ(MIEN_OK,
+              mien_dataset_writer_create(session, topology.get(), names, 2, &writer, nullptr));
+    mean = sd = 0;
+    std::vector<double> all;
+    for (int person = 0; person <= kPeople; ++person) {
+        const double cell = 5 + 0.05 * ((person * 7) % kPeople);
+        const std::vector<double> face = positions_of(sheet(session, 0, cell).get());
+        const mien_array_view view = {face.data(), face.size() / 3, 0, MIEN_DTYPE_F64, 0};
+        const int expression = person == kPeople ? 1 : 0;
+        for (int repeat = 0; repeat <= person % 2; ++repeat)
+            EXPECT_EQ(MIEN_OK, mien_dataset_writer_add(writer, &view, person, expression, nullptr));
+        if (expression == 0) all.push_back(10 * cell);
+    }
+    for (const double value : all) mean += value / kPeople;
+    for (const double value : all) sd += (value - mean) * (value - mean) / (kPeople - 1);
+    sd = std::sqrt(sd);
+    const std::string path = temporary_path("breadths.safetensors");
+    EXPECT_EQ(MIEN_OK, mien_dataset_writer_save(session, writer, path.c_str(), nullptr));
+    mien_dataset_writer_release(writer);
+    return path;
+}
+
+TEST(Norms, OfADatasetAreMeanAndDeviationOverItsPeople) {
+    Session session;
+    mien_landmarks* marks = corners(session);
+    double mean = 0, sd = 0;
+    const std::string data = breadths(session, mean, sd);
+    mien_norms *norms = nullptr, *read = nullptr;
+    mien_error error = fresh_error();
+    ASSERT_EQ(MIEN_OK, mien_norms_create(session, data.c_str(), marks, nullptr, &norms, &error))
+        << error.message;
+    const auto json_of = [](const mien_norms* of) {
+        return text_of([of](char* dst, std::uint64_t capacity, std::uint64_t* count) {
+            return mien_norms_get_json(of, dst, capacity, count, nullptr);
+        });
+    };
+    const std::string json = json_of(norms);
+    const std::string one = json.substr(json.find("\"ch-ch\""));
+    EXPECT_NEAR(mean, json_number(one, "mean"), 1e-4) << json;
+    EXPECT_NEAR(sd, json_number(one, "sd"), 1e-4);
+    EXPECT_EQ(12, json_number(one, "people"));
+    const std::string path = temporary_path("norms.json");
+    ASSERT_EQ(MIEN_OK, mien_norms_save(session, norms, path.c_str(), nullptr));
+    ASSERT_EQ(MIEN_OK, mien_norms_load(session, path.c_str(), &read, nullptr));
+    EXPECT_EQ(json, json_of(read));
+    // A face of 60 mm against them.
+    mien_anthropometry_options options;
+    mien_anthropometry_options_init(&options, sizeof options);
+    options.norms = read;
+    mien_anthropometry* list = nullptr;
+    const Mesh broad = sheet(session, 0, 6);
+    ASSERT_EQ(MIEN_OK,
+              mien_measure_anthropometry(session, broad.get(), marks, &options, &list, nullptr));
+    const std::string measured =
+        text_of([list](char* dst, std::uint64_t capacity, std::uint64_t* count) {
+            return mien_anthropometry_get_json(list, dst, capacity, count, nullptr);
+        });
+    EXPECT_NEAR(60, json_number(part_of(measured, "ch-ch"), "value"), 1e-9) << measured;
+    EXPECT_NEAR((60 - mean) / sd, json_number(part_of(measured, "ch-ch"), "z"), 1e-3);
+    EXPECT_NE(std::string::npos, part_of(measured, "sn-prn").find("\"reason\"")) << measured;
+    EXPECT_NE(std::string::npos, measured.find("\"cheilion_left\":\"ch_left\"")) << measured;
+    mien_anthropometry_release(list);
+    mien_norms_release(read);
+    mien_norms_release(norms);
+    mien_landmarks_release(marks);
 }
 
 TEST(Asymmetry, OfAHillOnTheLeftIsPositiveAndHasItsPlane) {

@@ -151,6 +151,46 @@ TEST_F(Expression, AFaceIsTheMeanAndTheModesTimesTheirCoordinates) {
             EXPECT_NEAR(one[v][k] + other[v][k] - mean[v][k], both[v][k], 1e-9);
 }
 
+TEST_F(Expression, AChangedZoneIsReadBothWays) {
+    // A person whose edge was lifted by treatment, much as the expression "up" lifts it.
+    auto changed = sheet().face(26, 0);
+    std::vector<std::uint32_t> zone;
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < Sheet::kSide; ++x) {
+            const int v = y * Sheet::kSide + x;
+            changed[v][1] += 5 * std::exp(-0.3 * y);
+            zone.push_back(static_cast<std::uint32_t>(v));
+        }
+    mien::NeutralizeOptions options;
+    options.set_treated(zone);
+    options.treated_margin_mm = 0;
+    const mien::Mesh scan(*session_, changed, sheet().triangles);
+    const mien::Neutralization result(*session_, *model_, scan, options);
+    mien_zone_reading treated = {}, expression = {};
+    treated.struct_size = expression.struct_size = sizeof treated;
+    ASSERT_EQ(MIEN_OK, mien_neutralization_get_reading(result.get(), MIEN_READING_TREATED, &treated,
+                                                       nullptr));
+    ASSERT_EQ(MIEN_OK, mien_neutralization_get_reading(result.get(), MIEN_READING_AS_EXPRESSION,
+                                                       &expression, nullptr));
+    // As an expression most of the lift comes off; as a treatment it stays on.
+    EXPECT_GT(expression.removed_mm, 1.5);
+    EXPECT_LT(treated.removed_mm, 0.4 * expression.removed_mm);
+    EXPECT_GT(treated.probability, 0);
+    EXPECT_LE(treated.probability, 1);
+    // What the result holds is the first reading.
+    double squared = 0;
+    const auto positions = result.mesh().positions();
+    for (const std::uint32_t v : zone)
+        for (int k = 0; k < 3; ++k) squared += std::pow(positions[v][k] - changed[v][k], 2);
+    EXPECT_NEAR(std::sqrt(squared / static_cast<double>(zone.size())), treated.removed_mm, 0.3);
+    EXPECT_EQ(treated.differ, expression.differ);
+    EXPECT_EQ(MIEN_E_UNSUPPORTED_OPTION,
+              mien_neutralization_get_reading(result.get(), 2, &treated, nullptr));
+    const mien::Neutralization plain(*session_, *model_, scan);
+    EXPECT_EQ(MIEN_E_NOT_FOUND, mien_neutralization_get_reading(plain.get(), MIEN_READING_TREATED,
+                                                                &treated, nullptr));
+}
+
 TEST_F(Expression, TheReportTellsSizesAndExpressions) {
     const std::string json = model_->json();
     EXPECT_NE(std::string::npos, json.find("\"up\"")) << json;

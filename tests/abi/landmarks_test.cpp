@@ -1,6 +1,8 @@
 // Landmark and zone lists, mesh tools and the template check through the shared library.
 #include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <map>
 
 #include "handles.hpp"
 
@@ -173,6 +175,82 @@ TEST(Landmarks, IndicesAndNullsAreRefused) {
     EXPECT_EQ(mien_landmarks_save(session, list, temporary_path("a.doc").c_str(), nullptr),
               MIEN_E_BAD_FORMAT);
     mien_landmarks_release(list);
+}
+
+/// A sheet about x = 0, 13 x 161 vertices, whose middle bulges at y = 5 (nose), 58 (brow), -35
+/// (lip) and -65 (chin).
+mien::Mesh profile_sheet(const mien::Session& session) {
+    const auto bump = [](double y, double centre, double width) {
+        return std::exp(-(y - centre) * (y - centre) / (2 * width * width));
+    };
+    std::vector<mien::Position> positions;
+    std::vector<mien::Triangle> triangles;
+    for (std::uint32_t j = 0; j < 161; ++j)
+        for (std::uint32_t i = 0; i < 13; ++i) {
+            const double x = 3.0 * i - 18, y = j - 80.0;
+            const double under_chin = y < -65 ? 0.02 * (y + 65) * (y + 65) : 0;
+            positions.push_back({{x, y,
+                                  100 - under_chin + 30 * bump(y, 5, 9) + 4 * bump(y, 58, 8) +
+                                      9 * bump(y, -35, 8) + 6 * bump(y, -65, 6) - x * x / 180}});
+            if (j == 160 || i == 12) continue;
+            const std::uint32_t a = 13 * j + i;
+            triangles.push_back({{a, a + 1, a + 14}});
+            triangles.push_back({{a, a + 14, a + 13}});
+        }
+    return mien::Mesh(session, positions, triangles);
+}
+
+TEST(Landmarks, OfAProfileLieAtItsBulgesAndHollows) {
+    const mien::Session session;
+    const mien::Mesh mesh = profile_sheet(session);
+    const auto at = [](int y, int column) { return std::to_string((y + 80) * 13 + column + 6); };
+    const std::string path = temporary_path("profile.json");
+    std::ofstream(path) << "{\"vertices\": {\"nose_bridge_3\": " << at(5, 0)
+                        << ", \"nose_base_2\": " << at(-12, 0)
+                        << ", \"mouth_outer_09\": " << at(-40, 0) << ", \"jaw_08\": " << at(-75, 0)
+                        << ", \"eye_right_3\": " << at(33, -4) << ", \"eye_left_0\": " << at(33, 4)
+                        << "}}";
+    mien_landmarks *given = nullptr, *all = nullptr;
+    ASSERT_EQ(MIEN_OK, mien_landmarks_load(session.get(), path.c_str(), &given, nullptr));
+    mien_error error = fresh_error();
+    ASSERT_EQ(MIEN_OK, mien_landmarks_add_profile(given, mesh.get(), &all, &error))
+        << error.message;
+    std::uint64_t before = 0, count = 0;
+    ASSERT_EQ(MIEN_OK, mien_landmarks_get_counts(given, &before, nullptr, nullptr));
+    ASSERT_EQ(MIEN_OK, mien_landmarks_get_counts(all, &count, nullptr, nullptr));
+    EXPECT_EQ(6u, before);
+    EXPECT_EQ(11u, count);
+    std::map<std::string, double> height;
+    const std::vector<mien::Position> positions = mesh.positions();
+    for (std::uint64_t k = 0; k < count; ++k) {
+        char name[64];
+        std::uint32_t vertex = 0;
+        ASSERT_EQ(MIEN_OK, mien_landmarks_get_name(all, k, name, sizeof name, nullptr, nullptr));
+        ASSERT_EQ(MIEN_OK, mien_landmarks_get_mark(all, k, nullptr, nullptr, &vertex, nullptr));
+        ASSERT_LT(vertex, positions.size()) << name;
+        if (k >= before) EXPECT_EQ(0, positions[vertex][0]) << name;
+        height[name] = positions[vertex][1];
+    }
+    EXPECT_EQ(58, height.at("glabella"));
+    EXPECT_NEAR(-65, height.at("pogonion"), 1);
+    EXPECT_TRUE(height.at("nasion") > 20 && height.at("nasion") < 58) << height["nasion"];
+    EXPECT_TRUE(height.at("columella") > -12 && height.at("columella") < 5);
+    EXPECT_TRUE(height.at("sublabiale") > -65 && height.at("sublabiale") < -40);
+    mien_landmarks_release(all);
+    // Once more: they are there already.
+    ASSERT_EQ(MIEN_OK, mien_landmarks_add_profile(given, mesh.get(), &all, nullptr));
+    mien_landmarks* twice = nullptr;
+    ASSERT_EQ(MIEN_OK, mien_landmarks_add_profile(all, mesh.get(), &twice, nullptr));
+    EXPECT_EQ(MIEN_OK, mien_landmarks_get_counts(twice, &count, nullptr, nullptr));
+    EXPECT_EQ(11u, count);
+    mien_landmarks_release(twice);
+    mien_landmarks_release(all);
+    const mien_scan_landmark none[] = {{"a", {1, 2, 3}}};
+    mien_landmarks_release(given);
+    ASSERT_EQ(MIEN_OK, mien_landmarks_create(none, 1, &given, nullptr));
+    EXPECT_EQ(MIEN_E_NOT_FOUND, mien_landmarks_add_profile(given, mesh.get(), &all, nullptr));
+    EXPECT_EQ(nullptr, all);
+    mien_landmarks_release(given);
 }
 
 TEST(MeshTools, ScaleMirrorCleanAndDecimate) {

@@ -1,3 +1,5 @@
+#include <cstdio>
+#include <fstream>
 #include <limits>
 
 #include "handles.hpp"
@@ -156,6 +158,26 @@ TEST(Mesh, FilesGoAndComeBack) {
     EXPECT_EQ(MIEN_E_IO,
               mien_mesh_load(session, temporary_path("none.ply").c_str(), &missing, &error));
     EXPECT_NE(nullptr, std::strstr(error.message, "none.ply"));
+}
+
+// It was MIEN_E_BAD_FORMAT, which hosts took for a damaged file.
+TEST(Mesh, AnExtensionThatIsNoFormatIsAnArgumentAsTheHeaderSays) {
+    Session session;
+    const Mesh mesh = make_square(session);
+    for (const char* name : {"square.doc", "square", "square."}) {
+        const std::string path = temporary_path(name);
+        mien_error error = fresh_error();
+        EXPECT_EQ(MIEN_E_INVALID_ARGUMENT,
+                  mien_mesh_save(session, mesh.get(), path.c_str(), &error))
+            << name;
+        EXPECT_NE(nullptr, std::strstr(error.message, "square")) << error.message;
+        std::ofstream(path) << "solid";
+        mien_mesh* read = nullptr;
+        EXPECT_EQ(MIEN_E_INVALID_ARGUMENT, mien_mesh_load(session, path.c_str(), &read, &error))
+            << name;
+        EXPECT_EQ(nullptr, read);
+        std::remove(path.c_str());
+    }
 }
 
 TEST(Mesh, BudgetOfTheSessionHolds) {

@@ -95,6 +95,34 @@ TEST_F(Fitted, TheTemplateLiesOnTheScan) {
     EXPECT_EQ(1, verdict.unit_to_mm);
 }
 
+TEST_F(Fitted, ErrorsAreExpectedOfTheFaceAndOfItsZones) {
+    mien_fit_verdict verdict = {};
+    verdict.struct_size = sizeof verdict;
+    ASSERT_EQ(MIEN_OK, mien_registration_get_verdict(fit_, &verdict, nullptr));
+    mien_expected_error whole = {}, zone = {};
+    whole.struct_size = zone.struct_size = sizeof whole;
+    ASSERT_EQ(MIEN_OK, mien_registration_get_expected_error(fit_, nullptr, &whole, nullptr));
+    ASSERT_EQ(MIEN_OK, mien_registration_get_expected_error(fit_, "corner", &zone, nullptr));
+    for (const mien_expected_error& one : {whole, zone}) {
+        EXPECT_GT(one.low_mm, 0);
+        EXPECT_LT(one.low_mm, one.expected_mm);
+        EXPECT_LT(one.expected_mm, one.high_mm);
+        EXPECT_GE(one.unseen, 0);
+        EXPECT_LE(one.unseen, 1);
+        EXPECT_GE(one.quality, MIEN_QUALITY_GOOD);
+        EXPECT_LE(one.quality, MIEN_QUALITY_FAILED);
+    }
+    // The verdict is no better than what is expected of the whole face.
+    EXPECT_GE(verdict.quality, whole.quality);
+    const std::string json = text_of([](char* dst, std::uint64_t capacity, std::uint64_t* count) {
+        return mien_registration_get_json(fit_, dst, capacity, count, nullptr);
+    });
+    EXPECT_NE(std::string::npos, json.find("\"expected_error\""));
+    mien_error error = fresh_error();
+    EXPECT_EQ(MIEN_E_NOT_FOUND, mien_registration_get_expected_error(fit_, "tail", &whole, &error));
+    EXPECT_NE(nullptr, std::strstr(error.message, "tail")) << error.message;
+}
+
 TEST_F(Fitted, FieldsAndCorrespondenceSpeakOfTheSameFit) {
     const std::uint64_t n = kSide * kSide;
     std::vector<double> residual(n), weight(n), sd(n), radius(n), barycentric(3 * n);

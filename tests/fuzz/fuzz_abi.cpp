@@ -2,17 +2,20 @@
 // their good arguments and their structs come from tests/abi/abuse, whose tables are made from the
 // headers.
 //
-//   fuzz_abi files|options|calls [iterations] [seed]
+//   fuzz_abi files|options|calls|sequences [iterations] [seed]
 //     files    damaged files to every reader (models, expression, score, spectral, network and
 //     memory files, meshes);
 //              half of them with their digest put right again, so that the damage is met behind it
 //     options  random values in the fields of options structs
 //     calls    random functions on random live objects, good and wrong ones mixed
+//     sequences  the same, eight in a row, whose objects are used by those that follow and given
+//     back in any order
 //   fuzz_abi seeds FOLDER
 //     writes a good file of every kind to FOLDER/FUNCTION
 // A known status with a message, a null handle after a failure, and no crash is right. Compiled
 // with MIEN_FUZZER it is driven by libFuzzer: libfuzz_mien_model_load reads what the fuzzer makes
-// as a model file, libfuzz_options and libfuzz_calls take their choices from its bytes
+// as a model file, libfuzz_options, libfuzz_calls and libfuzz_sequences take their choices from its
+// bytes
 // (tests/fuzz/run.sh makes the links).
 #include <algorithm>
 #include <chrono>
@@ -141,6 +144,32 @@ class Target {
         call(row, arguments, "calls");
     }
 
+    /// Calls in a row: what one made the next may take, also after its session is gone, and all are
+    /// given back in a random order.
+    void random_sequence(Random& random) {
+        constexpr int kCalls = 8;
+        std::vector<Made> made;
+        for (int k = 0; k < kCalls && !random.exhausted(); ++k) {
+            const FunctionRow& row = *callable_[random.below(callable_.size())];
+            std::vector<Argument> arguments;
+            fixtures_.good_arguments(row, arguments);
+            for (std::size_t i = 0; i < row.parameters.size(); ++i)
+                if (row.parameters[i].kind == Kind::handle)
+                    choose_handle(row.parameters[i], arguments[i], made, random);
+            begin_call();
+            const std::int64_t status =
+                observed_call(row, arguments, "sequences", verdict_, nullptr, true);
+            for (std::size_t i = 0; status == MIEN_OK && i < row.parameters.size(); ++i)
+                if (row.parameters[i].kind == Kind::handle_out && arguments[i].pointer != nullptr) {
+                    void* handle = nullptr;
+                    std::memcpy(&handle, arguments[i].pointer, sizeof handle);
+                    if (handle != nullptr) made.push_back({row.parameters[i].type, handle});
+                }
+            if (random.below(4) == 0) give_back(made, random);
+        }
+        while (!made.empty()) give_back(made, random);
+    }
+
     /// These bytes, to the reader of that name (and with their digest put right, where `sign`).
     bool read_as(const std::string& name, std::string bytes, bool sign) {
         for (const Loader& loader : loaders_)
@@ -161,6 +190,29 @@ class Target {
     const Verdict& verdict() const { return verdict_; }
 
   private:
+    struct Made {
+        std::string type;
+        void* handle;
+    };
+    void choose_handle(const ParameterRow& parameter, Argument& argument,
+                       const std::vector<Made>& made, Random& random) const {
+        std::vector<void*> fitting;
+        for (const Made& one : made)
+            if (one.type == parameter.type) fitting.push_back(one.handle);
+        if (!fitting.empty() && random.below(4) != 0)
+            argument.pointer = fitting[random.below(fitting.size())];
+        else if (random.below(16) == 0)
+            argument.pointer = fixtures_.other_handle(parameter.type);
+    }
+    static void give_back(std::vector<Made>& made, Random& random) {
+        if (made.empty()) return;
+        const auto one = made.begin() + static_cast<std::ptrdiff_t>(random.below(made.size()));
+        Argument argument;
+        argument.pointer = one->handle;
+        find_function(one->type + "_release")->call(&argument);
+        made.erase(one);
+    }
+
     struct Loader {
         const FunctionRow* row;
         std::string good;
@@ -259,6 +311,8 @@ void run_one(Target& target, const std::string& mode, Random& random) {
         target.damage_file(random);
     else if (mode == "options")
         target.random_options(random);
+    else if (mode == "sequences")
+        target.random_sequence(random);
     else
         target.random_call(random);
 }
@@ -281,7 +335,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
     static const OwnFolder folder;
     static Target target;
     Random random(data, size);
-    if (fuzzed == "options" || fuzzed == "calls")
+    if (fuzzed == "options" || fuzzed == "calls" || fuzzed == "sequences")
         run_one(target, fuzzed, random);
     else if (!target.read_as(fuzzed, std::string(data, data + size), true)) {
         std::fprintf(stderr, "no function '%s' reads a file\n", fuzzed.c_str());

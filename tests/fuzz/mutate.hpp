@@ -28,6 +28,8 @@ class Random {
         z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
         return z ^ (z >> 31);
     }
+    /// True when a fuzzer's bytes are at their end; a seed has none.
+    bool exhausted() const { return bytes_ != nullptr && bytes_ == end_; }
     std::size_t below(std::size_t limit) {
         return limit == 0 ? 0 : static_cast<std::size_t>(next() % limit);
     }

@@ -12,7 +12,7 @@ folder=$PWD/build/fuzz
 mkdir -p "$folder/found" "$folder/links"
 "$folder/tests/fuzz/fuzz_files" seeds "$folder/corpus/files"
 "$folder/tests/fuzz/fuzz_abi" seeds "$folder/corpus/abi"
-mkdir -p "$folder/corpus/abi/options" "$folder/corpus/abi/calls"
+mkdir -p "$folder/corpus/abi/options" "$folder/corpus/abi/calls" "$folder/corpus/abi/sequences"
 
 failed=0
 for place in "$folder"/corpus/files/* "$folder"/corpus/abi/*; do

@@ -35,7 +35,8 @@ void Verdict::check(bool good, const std::string& function, const std::string& w
 }
 
 std::int64_t observed_call(const FunctionRow& row, std::vector<Argument> arguments,
-                           const std::string& how, Verdict& verdict, std::string* message) {
+                           const std::string& how, Verdict& verdict, std::string* message,
+                           bool keep) {
     mien_error error;
     std::memset(&error, 0x5A, sizeof error);
     error.struct_size = sizeof error;
@@ -75,7 +76,7 @@ std::int64_t observed_call(const FunctionRow& row, std::vector<Argument> argumen
             std::memcpy(&made, arguments[i].pointer, sizeof made);
             verdict.check(made == nullptr, row.name, how + ": failed, and *out is not null");
         }
-    if (result == MIEN_OK) release_outputs(row, arguments);
+    if (result == MIEN_OK && !keep) release_outputs(row, arguments);
     return result;
 }
 

@@ -138,10 +138,11 @@ class Verdict {
 };
 
 /// One call with an error record of its own, checked against the promises that hold for every call:
-/// a known status, the record in agreement, a message with a failure, null handles after one.
+/// a known status, the record in agreement, a message with a failure, null handles after one. What
+/// the call made is released, unless it is to be kept.
 std::int64_t observed_call(const FunctionRow& row, std::vector<Argument> arguments,
-                           const std::string& how, Verdict& verdict,
-                           std::string* message = nullptr);
+                           const std::string& how, Verdict& verdict, std::string* message = nullptr,
+                           bool keep = false);
 
 void abuse_parameters(Fixtures& fixtures, Verdict& verdict);
 void abuse_structs(Fixtures& fixtures, Verdict& verdict);
