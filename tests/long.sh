@@ -29,27 +29,22 @@ fuzz_for() {
 
 run oom-all "$build/tests/oom/oom_abi_functions" sweep all
 run budget "$build/tests/oom/oom_abi_functions" budget
+run budget-long-calls "$build/tests/oom/oom_abi_long_budget" all
 run flips "$build/tests/endurance/endurance" flips 100000
 run truncations "$build/tests/endurance/endurance" truncations 50000
 run kills "$build/tests/endurance/endurance" kills 400
 run cancels "$build/tests/endurance/endurance" cancels 5000
+run latency "$build/tests/endurance/endurance" latency 20
 run crafted "$build/tests/endurance/endurance" crafted 1
 run disk "$build/tests/endurance/endurance" disk 5000
 [ -z "${MIEN_CORPUS:-}" ] || run corpus "$build/tests/endurance/endurance" corpus "$MIEN_CORPUS"
 run soak "$build/tests/endurance/endurance" soak 500
 fuzz_for fuzz-meshes "$build/tests/fuzz/fuzz_files" 200000
-for mode in files options calls; do
+for mode in files options calls sequences; do
     fuzz_for "fuzz-$mode" "$build/tests/fuzz/fuzz_abi" "$mode" 20000
 done
-case ",${MIEN_LONG:-}," in *,valgrind,*)
-    run valgrind valgrind -q --error-exitcode=1 --leak-check=full --errors-for-leak-kinds=definite \
-        "$build/tests/abi/test_previous_release" ;;
-esac
-case ",${MIEN_LONG:-}," in *,tsan,*)
-    cmake -S "$source" --preset tsan -DMIEN_BUILD_CLI=OFF -DMIEN_BUILD_EXAMPLES=OFF >/dev/null &&
-        cmake --build "$source/build/tsan" --target test_abi >/dev/null
-    run tsan "$source/build/tsan/tests/abi/test_abi" --gtest_filter='Sharing.*:Session.*' ;;
-esac
+case ",${MIEN_LONG:-}," in *,valgrind,*) run valgrind sh "$source/tests/valgrind.sh" "$build" ;; esac
+case ",${MIEN_LONG:-}," in *,tsan,*) run tsan sh "$source/tests/tsan.sh" ;; esac
 case ",${MIEN_LONG:-}," in *,libfuzzer,*) run libfuzzer sh "$source/tests/fuzz/run.sh" $((60 * minutes)) ;; esac
 echo "$failed failed"
 [ "$failed" = 0 ]
