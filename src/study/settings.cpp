@@ -20,6 +20,7 @@ void check_study_settings(const StudySettings& settings) {
     require(settings.surface.noise_mm, 0, kLongestMm, "noise_mm");
     require(settings.surface.correlation_length_mm, 0, kLongestMm, "correlation_length_mm");
     require(settings.surface.slide_correlation_mm, 0, kLongestMm, "slide_correlation_mm");
+    require(settings.surface.unseen_apart_share, 0, 1, "unseen_apart_share");
     require(settings.surface.common_bias_mm, 0, kLongestMm, "common_bias_mm");
     require(settings.expression.posterior_factor, 0, 1000, "posterior_factor");
     require(settings.expression.untrained_share, 0, 1000, "untrained_share");

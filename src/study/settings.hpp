@@ -21,6 +21,11 @@ struct SurfaceErrorSettings {
     /// Along the skin, over which a template slides together, mm, >= 0. Enters the error of areas
     /// alone. Not measured: the reach of the kernels' prior.
     double slide_correlation_mm = 15.0;
+    /// Of the deviation of a place that neither of two visits saw, the part by which two fits of
+    /// one person differ there, 0 to 1. What was not seen is guessed from the skin around it:
+    /// visits of one person guess alike, and a change is surer than either place. Chosen and held
+    /// against other people in tests/bench/README.md, "What a change's surface leaves open".
+    double unseen_apart_share = 0.2;
     /// An error common to all vertices that no repetition shows, mm, >= 0 (injection study).
     double common_bias_mm = 0.01;
 };

@@ -41,6 +41,17 @@ Vector normal_deviation_mm(const Vector& place_sd_mm, const Vector& weights,
     return sd;
 }
 
+Vector change_deviation_mm(const StudyFace& face, const StudyFace& other, double apart_share) {
+    Vector sd = face.normal_sd_mm;
+    if (face.weights.size() == 0 || other.weights.size() == 0 || face.place_sd_mm.size() == 0)
+        return sd;
+    for (Index v = 0; v < sd.size(); ++v) {
+        const double unseen = 1.0 - std::max(face.weights[v], other.weights[v]);
+        sd[v] = std::max(0.0, sd[v] - (1.0 - apart_share) * unseen * face.place_sd_mm[v]);
+    }
+    return sd;
+}
+
 StudyFace study_face_of(std::shared_ptr<const TriMesh> mesh, const RegistrationResult& fit,
                         double noise_mm) {
     StudyFace face;

@@ -27,6 +27,12 @@ struct StudyFace {
 Vector normal_deviation_mm(const Vector& place_sd_mm, const Vector& weights,
                            const Vector& residual_mm, double noise_mm);
 
+/// The part of face.normal_sd_mm that a comparison with `other` is unsure by, #V, mm: what was seen
+/// counts whole, and of the deviation c of a place that neither saw (the share 1 - w of it, w the
+/// larger weight of both) apart_share alone: s - (1 - apart_share) (1 - w) c, at least 0. Without
+/// weights or place_sd_mm of either, all of normal_sd_mm.
+Vector change_deviation_mm(const StudyFace& face, const StudyFace& other, double apart_share);
+
 /// A registration's face; `mesh`: its fitted template (a registration may have given it away).
 StudyFace study_face_of(std::shared_ptr<const TriMesh> mesh, const RegistrationResult& fit,
                         double noise_mm);

@@ -58,6 +58,7 @@ void write_recipe(JsonText& json, const Study& study) {
     json.field("noise_mm", settings.surface.noise_mm);
     json.field("correlation_length_mm", settings.surface.correlation_length_mm);
     json.field("slide_correlation_mm", settings.surface.slide_correlation_mm);
+    json.field("unseen_apart_share", settings.surface.unseen_apart_share);
     json.field("common_bias_mm", settings.surface.common_bias_mm);
     json.field("posterior_factor", settings.expression.posterior_factor);
     json.field("untrained_share", settings.expression.untrained_share);

@@ -120,8 +120,10 @@ class PairMeasure {
     VolumeErrorModel errors(const RigidZoneResult& alignment) const {
         const SurfaceErrorSettings& surface = data_.settings.surface;
         VolumeErrorModel model;
-        model.sd_before_mm = face(first_).normal_sd_mm;
-        model.sd_after_mm = face(second_).normal_sd_mm;
+        model.sd_before_mm =
+            change_deviation_mm(face(first_), face(second_), surface.unseen_apart_share);
+        model.sd_after_mm =
+            change_deviation_mm(face(second_), face(first_), surface.unseen_apart_share);
         model.correlation_length_mm = surface.correlation_length_mm;
         model.common_bias_mm = surface.common_bias_mm;
         model.alignment_centre = alignment.centre;

@@ -2,7 +2,8 @@
 // of detection; not a number, and a reason, where nothing is known.
 //
 // Signed volume V and its deviation: measure/uncertainty.hpp, and the expressions' part beside it.
-// Mean distance: the signed distance along the normals, whose errors are those of V over the area.
+// Of places that no visit saw a share alone counts (change_deviation_mm(), study_face.hpp). Mean
+// distance: the signed distance along the normals, whose errors are those of V over the area.
 // Gained, lost and absolute volume are not linear: noise alone makes a gain of B = sum a_v s_v /
 // sqrt(2 pi) where nothing changed (the mean of the positive part of a normal error), s_v the whole
 // deviation of vertex v. Their deviation is that of the part of the zone that they sum up, and

@@ -230,6 +230,48 @@ TEST(StudyFaces, TheNormalDeviationIsTheResidualWhereTheScanWasSeen) {
     EXPECT_THROW(normal_deviation_mm(place, Vector::Ones(2), residual, 0.4), Error);
 }
 
+TEST(StudyFaces, VisitsGuessAlikeWhatNeitherSaw) {
+    StudyFace first, second;
+    first.normal_sd_mm = second.normal_sd_mm = first.place_sd_mm = Vector::Constant(4, 2.0);
+    second.place_sd_mm = Vector::Constant(4, 1.5);
+    first.normal_sd_mm[0] = first.normal_sd_mm[3] = 0.1;
+    first.weights = Vector(4);
+    second.weights = Vector(4);
+    first.weights << 1, 0, 0, 1;
+    second.weights << 1, 1, 0, 0;
+    const Vector sd = change_deviation_mm(first, second, 0.2);
+    EXPECT_NEAR(sd[0], 0.1, 1e-12);  // seen by both
+    EXPECT_NEAR(sd[1], 2.0, 1e-12);  // seen by the other alone: this one's guess errs whole
+    EXPECT_NEAR(sd[2], 0.4, 1e-12);  // by neither
+    EXPECT_NEAR(sd[3], 0.1, 1e-12);
+    EXPECT_EQ(change_deviation_mm(first, second, 1.0), first.normal_sd_mm);
+    second.weights.resize(0);
+    EXPECT_EQ(change_deviation_mm(first, second, 0.2), first.normal_sd_mm);
+}
+
+TEST(StudyErrors, UnseenSkinOfOneZoneMakesItsChangeLessUnsureThanItsPlace) {
+    const Points face = study().neutral(3);
+    StudyFace before = seen(face, 0.1, 1, 0), after = seen(face, 0.1, 2, 1);
+    StudySettings settings = settings_with_zones();
+    const std::vector<std::uint32_t>& high = settings.zones.zones[1].vertices;
+    for (std::size_t k = 0; k < high.size(); k += 2)
+        for (StudyFace* one : {&before, &after}) {
+            one->weights[high[k]] = 0;
+            one->normal_sd_mm[high[k]] = one->place_sd_mm[high[k]] = 1.5;
+        }
+    const auto sd_of = [&](double share) {
+        settings.surface.unseen_apart_share = share;
+        return Study(Context(), nullptr, {before, after}, settings)
+            .change(0, 1)
+            .zones[1]
+            .surface_sd_ml;
+    };
+    EXPECT_LT(sd_of(0.2), 0.3 * sd_of(1.0));
+    EXPECT_GT(sd_of(0.2), sd_of(0.0));
+    settings.surface.unseen_apart_share = 1.5;
+    EXPECT_EQ(status_of({before, after}, settings), Status::invalid_argument);
+}
+
 TEST(StudyThreads, SameBitsForAnyNumber) {
     const Points face = study().neutral(7);
     const std::vector<StudyFace> faces{seen(face, 0.1, 1, 0),
