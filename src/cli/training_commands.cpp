@@ -12,7 +12,7 @@ struct TrainSettings {
     std::string data, out, method = "jpca", lambda = "auto", zones, stable, picture;
     std::string part, shard_out;
     std::vector<std::string> merge;
-    int identity_modes = 50, expression_modes = 50, shard_rank = 512;
+    int identity_modes = 0, expression_modes = 0, shard_rank = 512;
 };
 
 /// "K/N", K from 1 to N.
@@ -92,6 +92,9 @@ void run_train(const TrainSettings& settings) {
     std::printf("%s: %d subjects, %d faces, %u identity and %u expression modes\n",
                 settings.out.c_str(), report["subjects"].get<int>(), report["faces"].get<int>(),
                 model.identity_modes(), model.expression_modes());
+    for (const nlohmann::json& pair : report["tried_modes"])
+        std::printf("  tried %d + %d: people left out %.4f mm\n", pair["identity"].get<int>(),
+                    pair["expression"].get<int>(), pair["held_out_mm"].get<double>());
     if (report["skipped_faces"].get<int>() != 0)
         std::printf("%d faces left out: their subjects have no neutral face\n",
                     report["skipped_faces"].get<int>());
@@ -122,11 +125,13 @@ void add_train(CLI::App& app) {
     train->add_option("--method", settings->method, "how the subspaces are found")
         ->check(CLI::IsMember({"jpca", "qojpca"}))
         ->capture_default_str();
-    train->add_option("--identity-modes", settings->identity_modes)
-        ->check(CLI::Range(1, 4000))
+    train
+        ->add_option("--identity-modes", settings->identity_modes,
+                     "0: of 25, 50, 75 and 100 the fewest that serve people left out")
+        ->check(CLI::Range(0, 4000))
         ->capture_default_str();
-    train->add_option("--expression-modes", settings->expression_modes)
-        ->check(CLI::Range(1, 4000))
+    train->add_option("--expression-modes", settings->expression_modes, "0: as above")
+        ->check(CLI::Range(0, 4000))
         ->capture_default_str();
     train->add_option("--lambda", settings->lambda, "qojpca: weight of orthogonality, or auto")
         ->capture_default_str();

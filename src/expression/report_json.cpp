@@ -170,6 +170,14 @@ std::string training_json(const ExpressionModel& model, const TrainReport& repor
         .field("span_cut", report.span_cut)
         .field("cross_validated_map_error_mm", report.noise.map_error_mm)
         .field("cross_validated_mixture_error_mm", report.noise.mixture_error_mm);
+    json.key("tried_modes").begin_array();
+    for (const TriedModes& pair : report.tried_modes)
+        json.begin_object()
+            .field("identity", pair.identity)
+            .field("expression", pair.expression)
+            .field("held_out_mm", pair.held_out_mm)
+            .end_object();
+    json.end_array();
     return json.end_object().take();
 }
 

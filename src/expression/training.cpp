@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "base/dense.hpp"
 #include "base/error.hpp"
@@ -73,7 +74,10 @@ void fill_report(const ColumnSource& source, const JointSpan& span, const JointP
 JointSpan span_for(const Context& context, const ColumnSource& source,
                    const TrainOptions& options) {
     JointSpanOptions span = options.span;
-    const auto default_rank = [](Index modes) { return std::max(3 * modes, modes + 60); };
+    const auto default_rank = [&](Index modes) {
+        if (modes == 0 && !options.search.counts.empty()) modes = options.search.counts.back();
+        return std::max(3 * modes, modes + 60);
+    };
     if (span.identity_rank == 0)
         span.identity_rank = default_rank(options.subspaces.identity_modes);
     if (span.expression_rank == 0)
@@ -178,12 +182,21 @@ std::map<std::string, std::string> training_info(const ColumnSource& source,
 }  // namespace
 
 std::shared_ptr<const ExpressionModel> train_expression_model(const ColumnSource& source,
-                                                              const TrainOptions& options,
+                                                              const TrainOptions& given,
                                                               const Context& context,
                                                               TrainReport* report) {
-    if (options.subspaces.identity_modes > 4000 || options.subspaces.expression_modes > 4000)
+    if (given.subspaces.identity_modes > 4000 || given.subspaces.expression_modes > 4000)
         fail(Status::invalid_argument, "at most 4000 modes of each kind can be trained");
-    const JointSpan span = span_for(context, source, options);
+    const JointSpan span = span_for(context, source, given);
+    TrainOptions options = given;
+    JointPcaOptions& counts = options.subspaces;
+    ModeChoice choice;
+    if (counts.identity_modes == 0 || counts.expression_modes == 0) {
+        choice = choose_modes(context, source, span, counts.identity_modes, counts.expression_modes,
+                              options.prior, options.search);
+        counts.identity_modes = choice.identity_modes;
+        counts.expression_modes = choice.expression_modes;
+    }
     JointPca subspaces = joint_pca(context, span.neutrals, span.displacements, options.subspaces);
     auto model = std::make_shared<ExpressionModel>();
     put_modes(context, source, span, subspaces, *model);
@@ -198,6 +211,7 @@ std::shared_ptr<const ExpressionModel> train_expression_model(const ColumnSource
     if (report != nullptr)
         fill_report(source, span, subspaces, coordinates.identity, coordinates.expression, noise,
                     *report);
+    if (report != nullptr) report->tried_modes = std::move(choice.tried);
     context.progress(Stage::training, 1.0);
     return model;
 }

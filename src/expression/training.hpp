@@ -2,12 +2,14 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "base/context.hpp"
 #include "expression/column_source.hpp"
 #include "expression/expression_model.hpp"
 #include "expression/joint_pca.hpp"
 #include "expression/joint_span.hpp"
+#include "expression/mode_search.hpp"
 #include "expression/noise.hpp"
 #include "expression/prior.hpp"
 #include "mesh/dataset.hpp"
@@ -15,7 +17,8 @@
 namespace mien {
 
 struct TrainOptions {
-    JointPcaOptions subspaces;
+    JointPcaOptions subspaces;  ///< modes of 0: by hold-out over the people (mode_search.hpp)
+    ModeSearch search;
     JointSpanOptions span;  ///< ranks of 0: max(3 modes, modes + 60)
     PriorOptions prior;
     /// Posture: faces are aligned rigidly on these vertices (forehead, nose bridge), in training
@@ -36,6 +39,7 @@ struct TrainReport {
     double identity_explained = 0, expression_explained = 0;  ///< shares of the training variance
     double span_cut = 0;  ///< share of the variance that the joint span does not hold
     NoiseLevels noise;
+    std::vector<TriedModes> tried_modes;  ///< empty unless a number of modes was searched
 };
 
 /// Deterministic; the same bits for any thread count. O(passes #V s r). Throws

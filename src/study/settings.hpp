@@ -25,7 +25,7 @@ struct SurfaceErrorSettings {
     /// one person differ there, 0 to 1. What was not seen is guessed from the skin around it:
     /// visits of one person guess alike, and a change is surer than either place. Chosen and held
     /// against other people in tests/bench/README.md, "What a change's surface leaves open".
-    double unseen_apart_share = 0.2;
+    double unseen_apart_share = 0.1;
     /// An error common to all vertices that no repetition shows, mm, >= 0 (injection study).
     double common_bias_mm = 0.01;
 };

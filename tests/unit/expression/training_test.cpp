@@ -142,6 +142,70 @@ TEST(Training, WhatFollowsThePersonSurvivesTheFile) {
               neutralize(Context(), *model, face, Vector(), {}).expression);
 }
 
+TEST(Training, TakesTheFewestModesThatServePeopleLeftOut) {
+    const Study study;
+    TrainOptions options;
+    options.subspaces.identity_modes = options.subspaces.expression_modes = 0;
+    options.search.counts = {1, 4, 10, 20};
+    TrainReport report;
+    const auto dataset = study.dataset(0, study.subjects, "counts");
+    const auto model = train_expression_model(dataset, options, Context(), &report);
+    ASSERT_GE(report.tried_modes.size(), 3u);
+    const TriedModes* chosen = nullptr;
+    double least = report.tried_modes.front().held_out_mm;
+    for (const TriedModes& pair : report.tried_modes) {
+        EXPECT_GT(pair.held_out_mm, 0);
+        least = std::min(least, pair.held_out_mm);
+        if (pair.identity == model->num_identity_modes() &&
+            pair.expression == model->num_expression_modes())
+            chosen = &pair;
+    }
+    ASSERT_NE(chosen, nullptr);
+    EXPECT_GT(chosen->identity, 1);  // one direction does not serve anybody
+    EXPECT_LE(chosen->held_out_mm * (1 - options.search.least_gain), least);
+    for (const TriedModes* fewer = report.tried_modes.data(); fewer != chosen; ++fewer)
+        EXPECT_GT(fewer->held_out_mm * (1 - options.search.least_gain), least);
+
+    // A count that is given stays; the other one is searched. Any thread count finds the same.
+    options.subspaces.identity_modes = 10;
+    ThreadPool pool(3);
+    Context threads;
+    threads.pool = &pool;
+    TrainReport again;
+    const auto fixed = train_expression_model(dataset, options, threads, &again);
+    EXPECT_EQ(fixed->num_identity_modes(), 10);
+    TrainReport alone;
+    (void)train_expression_model(dataset, options, Context(), &alone);
+    ASSERT_EQ(again.tried_modes.size(), alone.tried_modes.size());
+    for (std::size_t k = 0; k < alone.tried_modes.size(); ++k)
+        EXPECT_EQ(again.tried_modes[k].held_out_mm, alone.tried_modes[k].held_out_mm);
+}
+
+TEST(Training, RefusesASearchForModesWithoutSense) {
+    const Study study;
+    const auto dataset = study.dataset(0, 8, "senseless");
+    const auto status_of = [&](const TrainOptions& options) {
+        try {
+            (void)train_expression_model(dataset, options, Context());
+        } catch (const Error& failure) {
+            return failure.status();
+        }
+        return Status::ok;
+    };
+    TrainOptions options;
+    options.subspaces.identity_modes = 0;
+    options.search.counts = {20, 10};
+    EXPECT_EQ(status_of(options), Status::invalid_argument);
+    options.search.counts = {};
+    EXPECT_EQ(status_of(options), Status::invalid_argument);
+    options.search.counts = {10};
+    options.search.least_gain = 2;
+    EXPECT_EQ(status_of(options), Status::invalid_argument);
+    options.search.least_gain = 0;
+    options.subspaces.expression_modes = -1;
+    EXPECT_EQ(status_of(options), Status::invalid_argument);
+}
+
 TEST(Training, QuasiOrthogonalSubspacesAreMoreOrthogonal) {
     const Study study;
     const auto data = study.dataset(0, study.subjects, "quasi");
