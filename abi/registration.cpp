@@ -74,6 +74,12 @@ void check_options(const mien_register_options& given) {
                    {"max_angle_deg", given.max_angle_deg},
                    {"start_scale", given.start_scale},
                    {"unit_to_mm", given.unit_to_mm}});
+    for (const auto& [name, value] :
+         {std::pair{"max_distance_mm", given.max_distance_mm},
+          std::pair{"mutual_mm", given.mutual_mm}, std::pair{"soft_mm", given.soft_mm}})
+        if (!(value >= 0) || !std::isfinite(value))
+            fail(Status::invalid_argument, "options.%s is %g, it must be positive, or 0", name,
+                 value);
     if (given.reserved2 != 0) fail(Status::unsupported_option, "options.reserved2 is not zero");
     if (given.unit_to_mm < 0 || !std::isfinite(given.unit_to_mm))
         fail(Status::invalid_argument, "options.unit_to_mm is %g, it must be positive, or 0",
@@ -110,6 +116,9 @@ RegistrationSettings convert(const mien_register_options& given) {
     loop.sigma_end_mm = given.sigma_end_mm;
     loop.match.reject_border = read_switch(given.reject_border, "options.reject_border");
     loop.match.max_angle_deg = given.max_angle_deg;
+    if (given.max_distance_mm > 0) loop.match.limit_mm = given.max_distance_mm;
+    if (given.mutual_mm > 0) loop.match.mutual_mm = given.mutual_mm;
+    loop.match.soft_mm = given.soft_mm;
     settings.gap.enabled = read_switch(given.close_gap, "options.close_gap");
     return settings;
 }

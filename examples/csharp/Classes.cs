@@ -1295,6 +1295,9 @@ namespace Mien
             ColorFeatures = raw.colorFeatures;
             UnitToMm = raw.unitToMm;
             LandmarkSides = (Sides)raw.landmarkSides;
+            MaxDistanceMm = raw.maxDistanceMm;
+            MutualMm = raw.mutualMm;
+            SoftMm = raw.softMm;
         }
 
         /// <summary>MIEN_GROWTH_*; default constant, with annealed noise</summary>
@@ -1342,6 +1345,15 @@ namespace Mien
         public double UnitToMm { get; set; }
         /// <summary>MIEN_SIDES_*; default refuse</summary>
         public Sides LandmarkSides { get; set; }
+        /// <summary>places of the scan that are farther from their vertex do not pull, nearly so far ones less; default 0: as the
+        /// noise level lets. Since 0.2</summary>
+        public double MaxDistanceMm { get; set; }
+        /// <summary>a place pulls a vertex while the vertex that is nearest to the place lies no farther than that from it; default
+        /// 0: not asked. Below the template's spacing hardly any place pulls. Since 0.2</summary>
+        public double MutualMm { get; set; }
+        /// <summary>soft assignment: a vertex is pulled to the mean of the scan around its nearest place, weighed by a Gaussian of
+        /// this deviation; default 0: to the place itself. Since 0.2</summary>
+        public double SoftMm { get; set; }
 
         internal override void Fill(Call call, IntPtr at)
         {
@@ -1365,6 +1377,9 @@ namespace Mien
             raw->colorFeatures = ColorFeatures;
             raw->unitToMm = UnitToMm;
             raw->landmarkSides = (int)LandmarkSides;
+            raw->maxDistanceMm = MaxDistanceMm;
+            raw->mutualMm = MutualMm;
+            raw->softMm = SoftMm;
             raw->landmarks = call.Records(Landmarks, sizeof(Native.ScanLandmark));
             raw->landmarkCount = (ulong)call.Rows(Landmarks, 1, "landmarks");
             Call.CopyIn(StartRotation, raw->startRotation, 9, "start_rotation");

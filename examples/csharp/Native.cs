@@ -365,6 +365,9 @@ namespace Mien.Native
         public double unitToMm;
         public int landmarkSides;
         public uint reserved2;
+        public double maxDistanceMm;
+        public double mutualMm;
+        public double softMm;
     }
 
     [StructLayout(LayoutKind.Sequential)]

@@ -235,7 +235,7 @@ STATIC_CHECK(offsetof(mien_band_choice, dame) == 16, place_of_mien_band_choice_d
 STATIC_CHECK(offsetof(mien_band_choice, fmpd) == 24, place_of_mien_band_choice_fmpd);
 STATIC_CHECK(offsetof(mien_band_choice, on_front) == 32, place_of_mien_band_choice_on_front);
 STATIC_CHECK(offsetof(mien_band_choice, chosen) == 36, place_of_mien_band_choice_chosen);
-STATIC_CHECK(sizeof(mien_register_options) == 272, size_of_mien_register_options);
+STATIC_CHECK(sizeof(mien_register_options) == 296, size_of_mien_register_options);
 STATIC_CHECK(offsetof(mien_register_options, struct_size) == 0, place_of_mien_register_options_struct_size);
 STATIC_CHECK(offsetof(mien_register_options, growth) == 4, place_of_mien_register_options_growth);
 STATIC_CHECK(offsetof(mien_register_options, landmarks) == 8, place_of_mien_register_options_landmarks);
@@ -264,6 +264,9 @@ STATIC_CHECK(offsetof(mien_register_options, reserved) == 252, place_of_mien_reg
 STATIC_CHECK(offsetof(mien_register_options, unit_to_mm) == 256, place_of_mien_register_options_unit_to_mm);
 STATIC_CHECK(offsetof(mien_register_options, landmark_sides) == 264, place_of_mien_register_options_landmark_sides);
 STATIC_CHECK(offsetof(mien_register_options, reserved2) == 268, place_of_mien_register_options_reserved2);
+STATIC_CHECK(offsetof(mien_register_options, max_distance_mm) == 272, place_of_mien_register_options_max_distance_mm);
+STATIC_CHECK(offsetof(mien_register_options, mutual_mm) == 280, place_of_mien_register_options_mutual_mm);
+STATIC_CHECK(offsetof(mien_register_options, soft_mm) == 288, place_of_mien_register_options_soft_mm);
 STATIC_CHECK(sizeof(mien_fit_verdict) == 80, size_of_mien_fit_verdict);
 STATIC_CHECK(offsetof(mien_fit_verdict, struct_size) == 0, place_of_mien_fit_verdict_struct_size);
 STATIC_CHECK(offsetof(mien_fit_verdict, quality) == 4, place_of_mien_fit_verdict_quality);

@@ -78,6 +78,15 @@ typedef struct mien_register_options {
                           by `units` and by the landmarks, which settle it */
     int32_t landmark_sides; /**< MIEN_SIDES_*; default refuse */
     uint32_t reserved2;     /**< zero */
+    double max_distance_mm; /**< places of the scan that are farther from their vertex do not pull,
+                               nearly so far ones less; default 0: as the noise level lets. Since
+                               0.2 */
+    double mutual_mm; /**< a place pulls a vertex while the vertex that is nearest to the place
+                         lies no farther than that from it; default 0: not asked. Below the
+                         template's spacing hardly any place pulls. Since 0.2 */
+    double soft_mm;   /**< soft assignment: a vertex is pulled to the mean of the scan around its
+                         nearest place, weighed by a Gaussian of this deviation; default 0: to the
+                         place itself. Since 0.2 */
 } mien_register_options;
 
 /** How far a fit is to be trusted. */

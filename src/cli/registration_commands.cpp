@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 
 #include "commands.hpp"
 #include "render.hpp"
@@ -11,6 +12,9 @@ struct RegisterArguments {
     double landmark_sigma = 2;
     std::string units = "detect", start = "automatic";
     int max_modes = -1, max_pca_modes = -1, iterations = 0;
+    double max_distance = 0, mutual = 0, soft = 0;
+    std::optional<double> max_angle;
+    bool keep_border = false;
     bool no_close_gap = false, no_colors = false, mend_landmarks = false, accept_failed = false;
     Common common;
 };
@@ -75,6 +79,11 @@ void run_register(const RegisterArguments& arguments) {
     options.c.max_scalar_modes = arguments.max_modes;
     options.c.max_pca_modes = arguments.max_pca_modes;
     options.c.iterations = arguments.iterations;
+    if (arguments.max_angle) options.c.max_angle_deg = *arguments.max_angle;
+    options.c.max_distance_mm = arguments.max_distance;
+    options.c.mutual_mm = arguments.mutual;
+    options.c.soft_mm = arguments.soft;
+    if (arguments.keep_border) options.c.reject_border = 0;
     options.c.close_gap = arguments.no_close_gap ? 0 : 1;
     options.c.color_features = arguments.no_colors ? 0 : 1;
     options.progress = progress_bar();
@@ -104,6 +113,29 @@ void run_register(const RegisterArguments& arguments) {
         throw std::runtime_error(arguments.scan + ": the fit failed (" + first_reason(report) +
                                  "); its files are written; mend the cause, or give "
                                  "--accept-failed to go on with it");
+}
+
+/// Which places of the scan the template's vertices stand for.
+void add_correspondence_options(CLI::App& command, RegisterArguments& arguments) {
+    command.add_option("--max-angle", arguments.max_angle,
+                       "degrees between the normals of a vertex and its place on the scan; the "
+                       "library's choice when not given");
+    command.add_flag("--keep-border", arguments.keep_border,
+                     "let places on the scan's open border pull too");
+    command
+        .add_option("--max-distance", arguments.max_distance,
+                    "mm beyond which a place does not pull, 0: as the noise level lets")
+        ->capture_default_str();
+    command
+        .add_option("--mutual", arguments.mutual,
+                    "mm that the vertex nearest to a place may lie from the one it pulls, 0: "
+                    "not asked")
+        ->capture_default_str();
+    command
+        .add_option("--soft", arguments.soft,
+                    "deviation in mm of the Gaussian over the places that a vertex stands for, "
+                    "0: the nearest alone")
+        ->capture_default_str();
 }
 
 struct TransferArguments {
@@ -193,6 +225,7 @@ void add_registration_commands(CLI::App& app) {
         ->capture_default_str();
     command->add_option("--iterations", arguments->iterations, "rounds, 0: the library's choice")
         ->capture_default_str();
+    add_correspondence_options(*command, *arguments);
     command->add_flag("--no-close-gap", arguments->no_close_gap,
                       "stay within the span of the model");
     command->add_flag("--no-colors", arguments->no_colors,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <Eigen/Geometry>
+#include <limits>
 
 #include "base/scalar_math.hpp"
 #include "registration/feature_places.hpp"
@@ -193,7 +194,10 @@ bool ColorFeatures::look(const Feature& feature, const ScanView& scan, const Poi
         view.places.row(k) = places.row(feature.vertices[static_cast<std::size_t>(k)]);
         turned.row(k) = normals.row(feature.vertices[static_cast<std::size_t>(k)]);
     }
-    find_correspondences(scan, view.places, turned, match, found, context);
+    CorrespondenceSettings here = match;  // the colours of the hit itself
+    here.soft_mm = 0;
+    here.mutual_mm = std::numeric_limits<double>::infinity();
+    find_correspondences(scan, view.places, turned, here, found, context);
     view.seen.setZero(n);
     view.weight = found.weight;
     view.expected = feature.expected;

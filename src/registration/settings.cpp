@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <Eigen/LU>
+#include <utility>
 
 #include "base/error.hpp"
 
@@ -47,6 +48,7 @@ void check_settings(const RegistrationSettings& s) {
              Number{"pca_amplitude", s.prior.pca_amplitude, 0, kHuge, true},
              Number{"kernel_amplitude", s.prior.kernel_amplitude, 0, kHuge, false},
              Number{"max_angle_deg", loop.match.max_angle_deg, 0, kHuge, true},
+             Number{"soft_mm", loop.match.soft_mm, 0, kHuge, false},
              Number{"normal_length_mm", evidence.bend.normal_length_mm, 0, kHuge, false},
              Number{"surface weight", evidence.surface.weight, 0, kHuge, true},
              Number{"tangential", evidence.surface.tangential, 0, 1, false},
@@ -59,6 +61,11 @@ void check_settings(const RegistrationSettings& s) {
              Number{"max_turn_rad", s.folds.max_turn_rad, 0, 3.2, true},
          })
         check(number);
+    for (const auto& [name, value] : {std::pair{"max_distance_mm", loop.match.limit_mm},
+                                      std::pair{"mutual_mm", loop.match.mutual_mm}})
+        if (!(value > 0))  // infinite: not asked
+            fail(Status::invalid_argument, "registration: %s is %g, it must be above 0", name,
+                 value);
     if (s.start.kind == StartKind::pose) check_pose(s.start.pose);
 }
 

@@ -5,10 +5,12 @@
 #include <map>
 
 #include "handles.hpp"
+#include "sheets.hpp"
 
 namespace {
 
 using mien_test::fresh_error;
+using mien_test::positions_of;
 using mien_test::Session;
 using mien_test::temporary_path;
 
@@ -160,6 +162,41 @@ TEST(RegisterOptions, AnUnknownChoiceIsUnsupportedAndANumberOutOfRangeInvalid) {
             EXPECT_EQ(status(member, value), MIEN_E_UNSUPPORTED_OPTION) << value;
     for (const std::int32_t value : {-1, 10001})
         EXPECT_EQ(status(&mien_register_options::iterations, value), MIEN_E_INVALID_ARGUMENT);
+}
+
+TEST(RegisterOptions, WaysToCorrespondAreHeardAndBadOnesRefused) {
+    const mien::Session session;
+    const mien::Model model = small_model(session);
+    const mien::Mesh scan = sheet(session);
+    const auto fit = [&](double mien_register_options::*member, double value,
+                         std::vector<double>& places) {
+        mien_register_options options;
+        mien_register_options_init(&options, sizeof options);
+        options.start = MIEN_START_POSE;
+        options.units = MIEN_UNITS_MILLIMETRES;
+        options.start_translation[0] = 25;  // past the scan's rim, which pulls too
+        options.reject_border = 0;
+        if (member != nullptr) options.*member = value;
+        mien_registration* made = nullptr;
+        const mien_status got =
+            mien_register(session.get(), model.get(), scan.get(), &options, &made, nullptr);
+        if (got == MIEN_OK) places = positions_of(mien_registration_mesh(made));
+        mien_registration_release(made);
+        return got;
+    };
+    std::vector<double> plain, other;
+    ASSERT_EQ(fit(nullptr, 0, plain), MIEN_OK);
+    for (const auto member : {&mien_register_options::max_distance_mm,
+                              &mien_register_options::mutual_mm, &mien_register_options::soft_mm}) {
+        ASSERT_EQ(fit(member, 0, other), MIEN_OK);
+        EXPECT_EQ(other, plain);
+        for (const double value : {-1.0, std::nan(""), HUGE_VAL})
+            EXPECT_EQ(fit(member, value, other), MIEN_E_INVALID_ARGUMENT) << value;
+    }
+    ASSERT_EQ(fit(&mien_register_options::soft_mm, 2, other), MIEN_OK);
+    EXPECT_NE(other, plain);
+    ASSERT_EQ(fit(&mien_register_options::mutual_mm, 15, other), MIEN_OK);
+    EXPECT_NE(other, plain);
 }
 
 TEST(Landmarks, IndicesAndNullsAreRefused) {

@@ -41,6 +41,9 @@ const std::vector<Ablation>& ablations() {
         {"hits on borders kept", [](S& s) { s.fit.loop.match.reject_border = false; }},
         {"no angle filter", [](S& s) { s.fit.loop.match.max_angle_deg = 180; }},
         {"no robust weight", [](S& s) { s.fit.loop.match.robust = RobustWeight::none; }},
+        {"no hit farther than 5 mm", [](S& s) { s.fit.loop.match.limit_mm = 5; }},
+        {"mutual neighbours within 8 mm", [](S& s) { s.fit.loop.match.mutual_mm = 8; }},
+        {"soft assignment of 1 mm", [](S& s) { s.fit.loop.match.soft_mm = 1; }},
         {"raw normals", [](S& s) { s.intake.surface.smoothing_mm = 0; }},
         {"inner walls correspond", [](S& s) { s.inner.exclude = false; }},
         // Loop

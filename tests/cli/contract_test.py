@@ -117,6 +117,14 @@ class MainJob(unittest.TestCase):
         self.assertEqual(json.loads((WORK / "plain.json").read_text())["color_agreement"], {})
         self.assertNotEqual((WORK / "plain.ply").read_bytes(), (WORK / "fitted.ply").read_bytes())
 
+    def test_ways_to_correspond_are_heard(self):
+        demo = WORK / "demo"
+        for number, option in enumerate((["--soft", 1.5], ["--mutual", 6], ["--max-distance", 2], ["--max-angle", 20],
+                                         ["--keep-border"])):
+            must("register", "--model", WORK / "face.safetensors", "--scan", demo / "scan/scan_grin.ply", *option,
+                 "--landmarks", demo / "scan/landmarks.json", "--out", WORK / f"way{number}.ply")
+            self.assertNotEqual((WORK / f"way{number}.ply").read_bytes(), (WORK / "fitted.ply").read_bytes(), option)
+
     def test_model_files_do_not_depend_on_threads(self):
         demo = WORK / "demo"
         for threads in (1, 2):

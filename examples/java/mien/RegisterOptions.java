@@ -24,13 +24,16 @@ public final class RegisterOptions implements Record_ {
     private int colorFeatures;
     private double unitToMm;
     private int landmarkSides;
+    private double maxDistanceMm;
+    private double mutualMm;
+    private double softMm;
 
     /** With the library's defaults. */
     public RegisterOptions() {
         try (Call call = new Call()) {
-            Memory at = call.room(272);
+            Memory at = call.room(296);
             int offset = 0;
-            Raw.GET.mien_register_options_init(at.address, 272);
+            Raw.GET.mien_register_options_init(at.address, 296);
             growth = at.bytes.getInt(offset + 4);
             landmarkSigmaMm = at.bytes.getDouble(offset + 24);
             start = at.bytes.getInt(offset + 32);
@@ -50,6 +53,9 @@ public final class RegisterOptions implements Record_ {
             colorFeatures = at.bytes.getInt(offset + 248);
             unitToMm = at.bytes.getDouble(offset + 256);
             landmarkSides = at.bytes.getInt(offset + 264);
+            maxDistanceMm = at.bytes.getDouble(offset + 272);
+            mutualMm = at.bytes.getDouble(offset + 280);
+            softMm = at.bytes.getDouble(offset + 288);
         }
     }
 
@@ -207,9 +213,39 @@ public final class RegisterOptions implements Record_ {
     }
     public int landmarkSides() { return landmarkSides; }
 
+    /**
+     * places of the scan that are farther from their vertex do not pull, nearly so far ones less; default 0: as
+     * the noise level lets. Since 0.2
+     */
+    public RegisterOptions maxDistanceMm(double value) {
+        maxDistanceMm = value;
+        return this;
+    }
+    public double maxDistanceMm() { return maxDistanceMm; }
+
+    /**
+     * a place pulls a vertex while the vertex that is nearest to the place lies no farther than that from it;
+     * default 0: not asked. Below the template's spacing hardly any place pulls. Since 0.2
+     */
+    public RegisterOptions mutualMm(double value) {
+        mutualMm = value;
+        return this;
+    }
+    public double mutualMm() { return mutualMm; }
+
+    /**
+     * soft assignment: a vertex is pulled to the mean of the scan around its nearest place, weighed by a Gaussian
+     * of this deviation; default 0: to the place itself. Since 0.2
+     */
+    public RegisterOptions softMm(double value) {
+        softMm = value;
+        return this;
+    }
+    public double softMm() { return softMm; }
+
     @Override
     public void fill(Call call, Memory at, int offset) {
-        Raw.GET.mien_register_options_init(at.address + offset, 272);
+        Raw.GET.mien_register_options_init(at.address + offset, 296);
         at.bytes.putInt(offset + 4, growth);
         at.bytes.putDouble(offset + 24, landmarkSigmaMm);
         at.bytes.putInt(offset + 32, start);
@@ -228,6 +264,9 @@ public final class RegisterOptions implements Record_ {
         at.bytes.putInt(offset + 248, colorFeatures);
         at.bytes.putDouble(offset + 256, unitToMm);
         at.bytes.putInt(offset + 264, landmarkSides);
+        at.bytes.putDouble(offset + 272, maxDistanceMm);
+        at.bytes.putDouble(offset + 280, mutualMm);
+        at.bytes.putDouble(offset + 288, softMm);
         at.bytes.putLong(offset + 8, Memory.address(call.records(landmarks, 32)));
         at.bytes.putLong(offset + 16, call.rows(landmarks, 1, "landmarks"));
         at.put(offset + 120, startRotation, 9, "start_rotation");
@@ -235,7 +274,7 @@ public final class RegisterOptions implements Record_ {
     }
 
     Memory write(Call call, Progress progress, Cancel cancel) {
-        Memory at = call.room(272);
+        Memory at = call.room(296);
         fill(call, at, 0);
         at.bytes.putLong(224, call.progressFunction(progress));
         at.bytes.putLong(232, call.progressUser());

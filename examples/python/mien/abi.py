@@ -368,6 +368,9 @@ class RegisterOptions(ctypes.Structure):
         ("unit_to_mm", ctypes.c_double),
         ("landmark_sides", ctypes.c_int32),
         ("reserved2", ctypes.c_uint32),
+        ("max_distance_mm", ctypes.c_double),
+        ("mutual_mm", ctypes.c_double),
+        ("soft_mm", ctypes.c_double),
     ]
 
 
@@ -936,6 +939,9 @@ STRUCTS = {
         ("unit_to_mm", "scalar", "double", (), ""),
         ("landmark_sides", "scalar", "int32_t", (), "SIDES"),
         ("reserved2", "reserved", "uint32_t", (), ""),
+        ("max_distance_mm", "scalar", "double", (), ""),
+        ("mutual_mm", "scalar", "double", (), ""),
+        ("soft_mm", "scalar", "double", (), ""),
     ),
     "mien_fit_verdict": (
         ("struct_size", "struct_size", "uint32_t", (), ""),

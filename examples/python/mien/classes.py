@@ -980,6 +980,15 @@ class RegisterOptions(_Options):
     unit_to_mm: float
     #: MIEN_SIDES_*; default refuse
     landmark_sides: Sides | int
+    #: places of the scan that are farther from their vertex do not pull, nearly so far ones less; default 0: as
+    #: the noise level lets. Since 0.2
+    max_distance_mm: float
+    #: a place pulls a vertex while the vertex that is nearest to the place lies no farther than that from it;
+    #: default 0: not asked. Below the template's spacing hardly any place pulls. Since 0.2
+    mutual_mm: float
+    #: soft assignment: a vertex is pulled to the mean of the scan around its nearest place, weighed by a
+    #: Gaussian of this deviation; default 0: to the place itself. Since 0.2
+    soft_mm: float
 
 
 class FitVerdict(_Record):

@@ -209,6 +209,89 @@ TEST(Correspondence, FiltersFadeInsteadOfCutting) {
     EXPECT_LT(largest_jump(19 * 21 + 10, Vector3(20, 0, 0), 0), 0.06) << "at the border";
 }
 
+TEST(Correspondence, HitsBeyondTheLimitFadeOut) {
+    const ScanSurface scan = build_scan_surface(face_sheet(20), {}, {});
+    CorrespondenceSettings options;
+    options.robust = RobustWeight::none;
+    options.limit_mm = 5;
+    Points places(4, 3), normals(4, 3);
+    const Vector3 place = scan.vertices.row(10 * 21 + 6).transpose();
+    const Vector3 normal = scan.normals.row(10 * 21 + 6).transpose();
+    const double away_mm[4] = {1, 3.9, 4.5, 5.1};
+    for (int k = 0; k < 4; ++k) {
+        places.row(k) = (place + away_mm[k] * normal).transpose();
+        normals.row(k) = normal.transpose();
+    }
+    Correspondences found;
+    find_correspondences(scan, places, normals, options, found, {});
+    EXPECT_EQ(found.weight[0], 1);
+    EXPECT_NEAR(found.weight[1], 1, 0.05);
+    EXPECT_GT(found.weight[2], 0.1);
+    EXPECT_LT(found.weight[2], 0.9);
+    EXPECT_EQ(found.weight[3], 0);
+}
+
+// Vertices past the end of a scan all ask for its rim, which belongs to one of them.
+TEST(Correspondence, PlacesThatAnotherVertexIsNearestToAreNotMutual) {
+    const ScanSurface scan = build_scan_surface(face_sheet(20), {}, {});
+    CorrespondenceSettings options;
+    options.robust = RobustWeight::none;
+    options.reject_border = false;
+    options.max_angle_deg = 180;
+    Points places(5, 3), normals(5, 3);
+    const Vector3 rim = scan.vertices.row(20 * 21 + 10).transpose();
+    for (int k = 0; k < 5; ++k) {
+        places.row(k) = (rim + 4.0 * k * Vector3::UnitX()).transpose();
+        normals.row(k) << 0, 0, 1;
+    }
+    Correspondences found;
+    find_correspondences(scan, places, normals, options, found, {});
+    EXPECT_EQ(found.weight.minCoeff(), 1);
+    options.mutual_mm = 10;
+    find_correspondences(scan, places, normals, options, found, {});
+    EXPECT_EQ(found.weight[0], 1);
+    EXPECT_EQ(found.weight[1], 1);  // 4 of 10 mm away
+    EXPECT_GT(found.weight[2], 0);  // 8
+    EXPECT_LT(found.weight[2], 0.9);
+    EXPECT_EQ(found.weight[3], 0);  // 12
+}
+
+TEST(Correspondence, SoftAssignmentAveragesTheScannersNoise) {
+    TriMesh sheet = face_sheet(140);
+    const Points clean = sheet.vertices;
+    std::mt19937 random(5);
+    std::normal_distribution<double> noise(0, 0.3);
+    for (Index i = 0; i < clean.rows(); ++i) sheet.vertices(i, 2) += noise(random);
+    const ScanSurface truth = build_scan_surface(face_sheet(140), {}, {}),
+                      scan = build_scan_surface(sheet, {}, {});
+    std::vector<Index> of;  // places above the cheeks
+    for (Index i = 0; i < clean.rows(); i += 7)
+        if (std::abs(clean(i, 0)) < 50 && std::abs(clean(i, 0)) > 25 && std::abs(clean(i, 1)) < 55)
+            of.push_back(i);
+    const Index n = static_cast<Index>(of.size());
+    Points places(n, 3), normals(n, 3);
+    for (Index k = 0; k < n; ++k) {
+        normals.row(k) = truth.normals.row(of[static_cast<std::size_t>(k)]);
+        places.row(k) = clean.row(of[static_cast<std::size_t>(k)]) + 2 * normals.row(k);
+    }
+    const auto spread_mm = [&](double soft_mm) {
+        CorrespondenceSettings options;
+        options.robust = RobustWeight::none;
+        options.soft_mm = soft_mm;
+        Correspondences found;
+        find_correspondences(scan, places, normals, options, found, {});
+        EXPECT_EQ(found.weight.minCoeff(), 1);
+        Vector off(n);
+        for (Index k = 0; k < n; ++k)
+            off[k] = normals.row(k).dot(found.hits[static_cast<std::size_t>(k)].point.transpose() -
+                                        places.row(k));
+        // Nearest places lie on the noise's peaks, softly or not: by how much they differ counts.
+        EXPECT_NEAR(off.mean(), -1.75, 0.1);
+        return std::sqrt((off.array() - off.mean()).square().mean());
+    };
+    EXPECT_LT(spread_mm(1), 0.8 * spread_mm(0));
+}
+
 TEST(Folds, AreFoundAndStraightened) {
     const TriMesh sheet = face_sheet(30);
     const VertexRings rings = build_rings(sheet.vertices.rows(), sheet.triangles);
