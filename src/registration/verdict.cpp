@@ -159,6 +159,12 @@ void judge(Verdict& v, const VerdictLimits& l) {
                     "the scan's triangles face inwards: it is inside out, or mirrored (left and "
                     "right exchanged)");
     judge_expected(v, l.most_zones, judge);
+    if (v.searched && !v.expected.empty() && !(v.search_score >= l.doubtful_search) &&
+        v.expected.front().expected_mm > l.failed_search_mm)
+        judge.doubt(
+            FitQuality::failed,
+            "neither the pose nor the fit is like that of a face: half a face, or none, lies "
+            "anywhere; give landmarks");
     if (!v.colors_left_out.empty()) {
         std::string names = "colours that do not lie as the form does were left out:";
         for (const std::string& name : v.colors_left_out) names += " " + name;

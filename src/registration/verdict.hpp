@@ -63,6 +63,9 @@ struct VerdictLimits {
     int doubtful_flipped = 100, failed_flipped = 400;
     /// Right poses score 0.56 to 0.95, balls, halves and backs of heads 0.33 to 0.48.
     double doubtful_search = 0.56, failed_search = 0.52;
+    /// Between the two: mm expected of the face from which the fit has failed. Half a face that is
+    /// fitted somewhere expects 4 mm and more, a lower face at its place 2 mm.
+    double failed_search_mm = 3;
     std::size_t most_zones = 3;  ///< zones named in the reasons, the worst first
 };
 

@@ -64,6 +64,43 @@ TEST(ExpectedError, NamesTheMeasureThatRaisesItMost) {
     EXPECT_NE(reason_of(errors[1]).find("nose"), std::string::npos);
 }
 
+// Half a face is fitted somewhere, 60 mm off and more, with a score between those of faces and of
+// no faces: it was called doubtful.
+TEST(Verdict, ADoubtfulPoseOfABadFitHasFailed) {
+    Verdict v;
+    v.coverage = v.inlier_share = v.size_ratio = 1;
+    v.mean_residual_mm = 0.2;
+    v.searched = true;
+    ZoneMeasures face;
+    face.name = "face";
+    for (const bool bad : {false, true}) {
+        if (bad) {
+            face.open_mm = face.stretch = face.deviation_mm = 8;
+            face.unseen = 0.7;
+            face.turn = 0.6;
+            v.whole.kernel_deviation = v.whole.kernel_mm = 8;
+            v.whole.size = 0.2;
+            v.whole.folds = 0.01;
+            v.whole.is_free = v.whole.search_miss = 1;
+        }
+        v.zones = {face};
+        for (const double score : {0.54, 0.8}) {
+            v.search_score = score;
+            judge(v, VerdictLimits());
+            const double expected_mm = v.expected.front().expected_mm;
+            if (bad)
+                EXPECT_GT(expected_mm, VerdictLimits().failed_search_mm);
+            else
+                EXPECT_LT(expected_mm, VerdictLimits().failed_search_mm);
+            const bool lies_anywhere =
+                v.reasons.size() > 1 && v.reasons.back().find("half a face") != std::string::npos;
+            EXPECT_EQ(lies_anywhere, bad && score < 0.56);
+            EXPECT_TRUE(!lies_anywhere || v.quality == FitQuality::failed);
+            EXPECT_TRUE(bad || score > 0.56 || v.quality == FitQuality::doubtful);
+        }
+    }
+}
+
 // Trained modes once won on faces of another family, three times as far off as the kernel alone.
 TEST(Priors, LandmarksSpeakAgainstTrainedModesThatDoNotSpanTheFace) {
     const SmallFace face = small_face();
