@@ -84,21 +84,26 @@ ScanVolumeReport measure_scan_volume(const TriMesh& before, const TriMesh& after
         if (report.valid[before.triangles(t, 0)] && report.valid[before.triangles(t, 1)] &&
             report.valid[before.triangles(t, 2)])
             kept.push_back(t);
-    if (kept.empty())
+    const auto check_unit = [&] {
+        constexpr double kTooDifferent = 5;
+        check_same_unit(before.vertices, "the before surface", after.vertices, "the after surface",
+                        kTooDifferent);
+    };
+    if (kept.empty()) {
+        check_unit();
         fail(Status::no_solution,
              "no triangle of the before surface has a partner within %g mm; align the surfaces "
              "first",
              options.max_distance_mm);
+    }
     Triangles triangles(static_cast<Index>(kept.size()), 3);
     for (std::size_t i = 0; i < kept.size(); ++i)
         triangles.row(static_cast<Index>(i)) = before.triangles.row(kept[i]);
     const Vector all = vertex_areas(before.vertices, before.triangles);
     const Vector used = vertex_areas(before.vertices, triangles);
     report.whole_coverage = used.sum() / all.sum();
-    constexpr double kLeastCoverage = 0.05, kTooDifferent = 5;
-    if (report.whole_coverage < kLeastCoverage)
-        check_same_unit(before.vertices, "the before surface", after.vertices, "the after surface",
-                        kTooDifferent);
+    constexpr double kLeastCoverage = 0.05;
+    if (report.whole_coverage < kLeastCoverage) check_unit();
     report.volume =
         measure_volume(before.vertices, report.carried, triangles, options.zones, context);
 

@@ -32,7 +32,7 @@ struct ScanVolumeReport {
 };
 
 /// `after` must be aligned with `before` already. A triangle counts when all three vertices have a
-/// partner. Throws Status::no_solution when none does.
+/// partner. Throws Status::no_solution when none does, mismatch when they are not in one unit.
 ScanVolumeReport measure_scan_volume(const TriMesh& before, const TriMesh& after,
                                      const ScanVolumeOptions& options, const Context& context);
 

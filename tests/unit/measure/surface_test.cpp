@@ -221,6 +221,20 @@ TEST(ScanVolume, ByClosestPointOrNormalOfSpheresIsTheShell) {
     }
 }
 
+// "Align the surfaces first" was said of a scan in metres, which no alignment brings near.
+TEST(ScanVolume, NamesTheUnitWhereThereIsNoPartner) {
+    const TriMesh before = test::sphere(50, 2);
+    TriMesh after = before;
+    after.vertices /= 1000;
+    ScanVolumeOptions options;
+    options.max_distance_mm = 5;
+    EXPECT_EQ(test::status_of([&] { measure_scan_volume(before, after, options, {}); }),
+              Status::mismatch);
+    after.vertices = before.vertices.rowwise() + Vector3(500, 0, 0).transpose();
+    EXPECT_EQ(test::status_of([&] { measure_scan_volume(before, after, options, {}); }),
+              Status::no_solution);
+}
+
 TEST(ScanVolume, SaysHowMuchOfAZoneHadAPartner) {
     const TriMesh wide = test::grid(40, 20, 80, 40);
     TriMesh narrow = test::grid(20, 20, 20, 20);
