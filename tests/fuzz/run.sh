@@ -23,7 +23,7 @@ for place in "$folder"/corpus/files/* "$folder"/corpus/abi/*; do
     log=$folder/found/$target.txt
     state=ok
     ASAN_OPTIONS=allocator_may_return_null=1:detect_leaks=1 "$folder/links/libfuzz_$target" -max_total_time="$seconds" -timeout=25 \
-        -rss_limit_mb=2048 -max_len=65536 -print_final_stats=1 -artifact_prefix="$folder/found/$target-" "$place" >"$log" 2>&1 || {
+        -rss_limit_mb=2048 -max_len=65536 -len_control=0 -print_final_stats=1 -artifact_prefix="$folder/found/$target-" "$place" >"$log" 2>&1 || {
         state=FAULT
         failed=$((failed + 1))
     }
