@@ -2,7 +2,7 @@
 """Tables 4.1 to 4.4 and A.1 to A.4 of jousse-2022 on our faces, with the thesis' own numbers beside ours.
 
   thesis_tables.py TABLE --mien build/release/bin/mien --data test.safetensors --zones zones.json
-                   --jpca jpca.safetensors --qojpca qojpca.safetensors --work /tmp/tables [--sweeps 3]
+                   --jpca jpca.safetensors --qojpca qojpca.safetensors --work /tmp/tables [--sweeps 3] [--no-default]
 
 TABLE: 4.1 4.2 4.3 4.4 A.1 A.2 A.3 A.4, or order (why the two methods change places, below), or all. The two models are
 `mien train --method jpca|qojpca` of other people. J-PCA and QOJPCA are fitted by the thesis' block relaxation with --sweeps
@@ -107,33 +107,36 @@ def print_rows(title, thesis, ours, columns):
     print(f"\n{title}\n{'':16}" + "".join(f"{c:>12}" for c in columns))
     for name, numbers in sorted(ours.items(), key=lambda item: -item[1][0]):
         theirs = thesis.get(name, (float("nan"),) * (len(columns) - len(numbers)))
-        print(f"{name:16}" + "".join(f"{x:12.2f}" for x in tuple(numbers) + tuple(theirs)))
+        print(f"{name:16}" + "".join(f"{x:12.2f}" if x == x else f"{'-':>12}" for x in tuple(numbers) + tuple(theirs)))
 
 
-def table_of(runs, number, sweeps):
-    j, q, own = runs.of("jpca", "alternating", sweeps), runs.of("qojpca", "alternating", sweeps), runs.of("qojpca", "mixture")
+def table_of(runs, number, sweeps, with_default):
+    j, q = runs.of("jpca", "alternating", sweeps), runs.of("qojpca", "alternating", sweeps)
+    own = runs.of("qojpca", "mixture") if with_default else None
+    default = ["default"] if with_default else []
     if number == "4.1":
         names = ["face", "cheeks", "chin", "mouth", "nasolabial"]
         parts = [["face"], ["cheek_left", "cheek_right"], ["chin"], ["mouth"], ["nasolabial_left", "nasolabial_right"]]
         ours = {name: [volume(row, part, "baseline", "median_ml") for part in parts] for name, row in j.items() if name != "all"}
         print_rows("Table 4.1: median absolute volume that an expression makes, mL", TABLE_41,
-                   ours, names + [f"th. {name}" for name in names])
+                   ours, names + [f"th. {name[:6]}" for name in names])
     elif number == "4.2":
-        ours = {name: (row["baseline"]["mean_mm"], row["result"]["mean_mm"], q[name]["result"]["mean_mm"], own[name]["result"]["mean_mm"])
-                for name, row in j.items()}
+        ours = {name: [row["baseline"]["mean_mm"], row["result"]["mean_mm"], q[name]["result"]["mean_mm"]]
+                + ([own[name]["result"]["mean_mm"]] if with_default else []) for name, row in j.items()}
         print_rows(f"Table 4.2: mean vertex error, mm; {sweeps} sweeps", TABLE_42, ours,
-                   ["untouched", "J-PCA", "QOJPCA", "default", "th. base", "th. J-PCA", "th. QOJPCA"])
+                   ["untouched", "J-PCA", "QOJPCA"] + default + ["th. base", "th. J-PCA", "th. QOJPCA"])
     elif number == "4.4":
         print(f"\nTable 4.4: over all but the neutral faces, mm; {sweeps} sweeps\n{'':16}{'mean':>10}{'maximum':>10}{'thesis':>10}{'maximum':>10}")
         for name, row, thesis in (("untouched", j["all"]["baseline"], (2.75, 8.83)), ("J-PCA", j["all"]["result"], (2.53, 6.46)),
-                                  ("QOJPCA", q["all"]["result"], (2.08, 5.34)), ("default", own["all"]["result"], None)):
+                                  ("QOJPCA", q["all"]["result"], (2.08, 5.34))) + (
+                                      (("default", own["all"]["result"], None),) if with_default else ()):
             print(f"{name:16}{row['mean_mm']:10.2f}{row['max_vertex_mm']:10.2f}" + (f"{thesis[0]:10.2f}{thesis[1]:10.2f}" if thesis else ""))
     else:
         zones = ZONES[number]
-        ours = {name: [volume(row, zones, "baseline"), volume(row, zones, "result"), volume(q[name], zones, "result"),
-                       volume(own[name], zones, "result")] for name, row in j.items()}
+        ours = {name: [volume(row, zones, "baseline"), volume(row, zones, "result"), volume(q[name], zones, "result")]
+                + ([volume(own[name], zones, "result")] if with_default else []) for name, row in j.items()}
         print_rows(f"Table {number}: mean absolute volume on {' + '.join(zones)}, mL; {sweeps} sweeps", VOLUMES[number], ours,
-                   ["untouched", "J-PCA", "QOJPCA", "default", "th. base", "th. J-PCA", "th. QOJPCA"])
+                   ["untouched", "J-PCA", "QOJPCA"] + default + ["th. base", "th. J-PCA", "th. QOJPCA"])
 
 
 def order(runs):
@@ -153,11 +156,12 @@ def main():
     for name in ("mien", "data", "zones", "jpca", "qojpca", "work"):
         ap.add_argument("--" + name, required=True)
     ap.add_argument("--sweeps", type=int, default=3)
+    ap.add_argument("--no-default", action="store_true", help="leave out the column of the default fit")
     options = ap.parse_args()
     runs = Runs(options)
     for number in (["4.1", "4.2", "4.3", "4.4", "A.1", "A.2", "A.3", "A.4"] if options.table == "all" else [options.table]):
         if number != "order":
-            table_of(runs, number, options.sweeps)
+            table_of(runs, number, options.sweeps, not options.no_default)
     if options.table in ("order", "all"):
         order(runs)
 
