@@ -46,9 +46,12 @@ ExpectedError expect(const ErrorTable& table, const WholeMeasures& whole, const 
 const char* words_of(FitMeasure cause) {
     switch (cause) {
         case FitMeasure::unseen:
+        case FitMeasure::worst_unseen:
             return "the scan does not show enough of it: scan the whole face, uncovered";
         case FitMeasure::residual_mm:
         case FitMeasure::open_mm:
+        case FitMeasure::open_most_mm:
+        case FitMeasure::worst_open_mm:
             return "the scan lies off the model's shape there: is something in front of the skin, "
                    "or the face unlike those that the model knows? Landmarks would help";
         case FitMeasure::turn:
@@ -57,6 +60,9 @@ const char* words_of(FitMeasure cause) {
         case FitMeasure::is_free:
         case FitMeasure::is_trained:
         case FitMeasure::kernel_mm:
+        case FitMeasure::slid_mm:
+        case FitMeasure::pin_far_mm:
+        case FitMeasure::color_hold:
             return "little tells where along the skin its places are: pick landmarks there, or use "
                    "a trained model";
         case FitMeasure::stretch:
@@ -64,12 +70,16 @@ const char* words_of(FitMeasure cause) {
         case FitMeasure::landmark_mm:
         case FitMeasure::landmark_misfit:
         case FitMeasure::landmarks_out:
+        case FitMeasure::pin_misfit_mm:
             return "the landmarks and the surface disagree: check how they were picked, and the "
                    "stated picking error";
         case FitMeasure::search_miss:
             return "no pose agrees well with a face: is this one, whole and in the right unit? "
                    "Landmarks would tell";
         case FitMeasure::color_miss:
+        case FitMeasure::color_doubt:
+        case FitMeasure::lips_miss:
+        case FitMeasure::brows_miss:
             return "brows or lips are not seen where the form has them: make-up, light, or a wrong "
                    "fit; landmarks would tell";
         case FitMeasure::no_colors:
@@ -77,11 +87,14 @@ const char* words_of(FitMeasure cause) {
         case FitMeasure::trained_deviation:
         case FitMeasure::kernel_deviation:
         case FitMeasure::size:
+        case FitMeasure::shape_deviation:
+        case FitMeasure::asymmetry_mm:
             return "the shape is unlike those that the model knows: check the unit, the landmarks "
                    "and the model";
         case FitMeasure::folds:
             return "triangles are folded over: check the landmarks and the scan";
         case FitMeasure::face_mm:
+        case FitMeasure::count:
             return "the whole fit is doubtful";
     }
     return "";
@@ -132,6 +145,32 @@ double measure_of(FitMeasure measure, const WholeMeasures& whole, const ZoneMeas
             return whole.no_colors;
         case FitMeasure::face_mm:
             return face_mm;
+        case FitMeasure::open_most_mm:
+            return zone.open_most_mm;
+        case FitMeasure::asymmetry_mm:
+            return zone.asymmetry_mm;
+        case FitMeasure::shape_deviation:
+            return zone.shape_deviation;
+        case FitMeasure::slid_mm:
+            return zone.slid_mm;
+        case FitMeasure::pin_far_mm:
+            return zone.pin_far_mm;
+        case FitMeasure::pin_misfit_mm:
+            return zone.pin_misfit_mm;
+        case FitMeasure::color_hold:
+            return zone.color_hold;
+        case FitMeasure::color_doubt:
+            return zone.color_doubt;
+        case FitMeasure::lips_miss:
+            return whole.lips_miss;
+        case FitMeasure::brows_miss:
+            return whole.brows_miss;
+        case FitMeasure::worst_open_mm:
+            return whole.worst_open_mm;
+        case FitMeasure::worst_unseen:
+            return whole.worst_unseen;
+        case FitMeasure::count:
+            break;
     }
     return 0;
 }

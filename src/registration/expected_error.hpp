@@ -41,6 +41,19 @@ enum class FitMeasure {
     is_trained,
     no_colors,
     face_mm,  ///< what is expected of the whole face; 0 for the face itself
+    open_most_mm,
+    asymmetry_mm,
+    shape_deviation,
+    slid_mm,
+    pin_far_mm,
+    pin_misfit_mm,
+    color_hold,
+    color_doubt,
+    lips_miss,
+    brows_miss,
+    worst_open_mm,
+    worst_unseen,
+    count,  ///< how many there are; fit records keep the numbers, so new ones go before it
 };
 
 /// Mean distance of a zone's vertices from the true ones.

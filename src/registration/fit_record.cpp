@@ -110,7 +110,7 @@ void read_numbers(const double* n, ExpectedError& e) {
     e.high_mm = n[2];
     const int quality = whole(n[3], "quality of a zone"), cause = whole(n[4], "cause of a zone");
     if (quality > static_cast<int>(FitQuality::failed) ||
-        cause > static_cast<int>(FitMeasure::face_mm))
+        cause >= static_cast<int>(FitMeasure::count))
         fail(Status::bad_format, "tensor 'expected_errors': quality %d or cause %d is none",
              quality, cause);
     e.quality = static_cast<FitQuality>(quality);

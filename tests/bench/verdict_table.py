@@ -6,10 +6,12 @@ from pathlib import Path
 import numpy as np
 from scipy.optimize import nnls
 
-ZONE = ("unseen", "residual_mm", "open_mm", "turn", "deviation_mm", "stretch", "landmark_mm")
+ZONE = ("unseen", "residual_mm", "open_mm", "turn", "deviation_mm", "stretch", "landmark_mm", "open_most_mm", "asymmetry_mm",
+        "shape_deviation", "slid_mm", "pin_far_mm", "pin_misfit_mm", "color_doubt")
 WHOLE = ("search_miss", "landmark_misfit", "landmarks_out", "color_miss", "trained_deviation", "kernel_deviation", "size", "folds",
-         "is_free", "no_colors")
-LOWERS = ("is_trained",)          # more of it makes the error smaller
+         "is_free", "no_colors", "lips_miss", "brows_miss", "worst_open_mm", "worst_unseen")
+LOWERS = ("is_trained", "color_hold")          # more of it makes the error smaller
+ZONE_WHOLE = ("search_miss", "color_miss", "trained_deviation", "kernel_deviation", "kernel_mm", "size")
 LEAST_MM, MOST_MM, NO_FACE_MM = .3, 30., 30.
 QUANTILES = (.1, .5, .97)
 RIDGE, LEAST_RISE, HUBER = 1., .02, .35
@@ -115,9 +117,9 @@ def ranges(expected, truth):
 
 
 def limits(expected, truth):
-    """Doubtful: just below the expectation under which a half percent of the wrong would be called good."""
+    """Doubtful: just below the expectation under which a hundredth of the wrong would be called good."""
     wrong = np.sort(expected[truth > WRONG_MM])
-    doubtful = .99 * float(wrong[int(.005 * len(wrong))]) if len(wrong) else WRONG_MM
+    doubtful = .99 * float(wrong[int(.01 * len(wrong))]) if len(wrong) else WRONG_MM
     return doubtful, float(max(2.2 * doubtful, 5.))
 
 
@@ -149,7 +151,7 @@ def learn(a):
     for d in zones:
         d[0]["face_mm"] = expected[id(d[2])]
     zone_truth = np.array([d[1] for d in zones])
-    zone_names = ("face_mm",) + ZONE + ("is_free",)
+    zone_names = ("face_mm",) + ZONE + ("is_free",) + ZONE_WHOLE + LOWERS
     zone_held = np.exp(across_people(zones, zone_names))
     zone_limits = limits(zone_held, zone_truth)
     describe("zones, people left out", zone_held, zone_truth, doubtful=zone_limits[0])

@@ -22,7 +22,7 @@ TEST(ExpectedError, NeverFallsWhenTroubleGrows) {
         for (const ErrorCurve& curve : table->curves) {
             ASSERT_EQ(curve.at.size(), curve.value.size());
             EXPECT_TRUE(std::is_sorted(curve.at.begin(), curve.at.end()));
-            if (curve.measure == FitMeasure::is_trained)
+            if (curve.measure == FitMeasure::is_trained || curve.measure == FitMeasure::color_hold)
                 EXPECT_TRUE(std::is_sorted(curve.value.rbegin(), curve.value.rend()));
             else
                 EXPECT_TRUE(std::is_sorted(curve.value.begin(), curve.value.end()));
