@@ -27,7 +27,7 @@ struct SharpenSettings {
 };
 
 /// Tags in brackets: registration/settings.hpp. All [J]: search scores of right poses are
-/// 0.56 to 0.95, of wrong ones and no faces 0.18 to 0.54.
+/// 0.54 to 0.95, of wrong ones, halves and no faces 0.18 to 0.54.
 struct SearchSettings {
     int views = 110;                 ///< >= 1: directions over the sphere, 17 degrees apart
     int rolls = 12;                  ///< >= 1: turns about each

@@ -61,7 +61,7 @@ struct VerdictLimits {
     double doubtful_size = 0.25, failed_size = 0.35;  ///< |log(size_ratio)|
     double doubtful_deviation = 2.5, failed_deviation = 5;
     int doubtful_flipped = 100, failed_flipped = 400;
-    /// Right poses score 0.56 to 0.95, balls, halves and backs of heads 0.33 to 0.48.
+    /// Right poses score 0.54 to 0.95, balls, halves and backs of heads 0.27 to 0.54.
     double doubtful_search = 0.56, failed_search = 0.52;
     /// Between the two: mm expected of the face from which the fit has failed. Half a face that is
     /// fitted somewhere expects 4 mm and more, a lower face at its place 2 mm.
