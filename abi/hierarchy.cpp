@@ -27,6 +27,15 @@ const MeshLevel& level_of(const MeshHierarchy& hierarchy, std::uint32_t level) {
     return hierarchy.levels[level];
 }
 
+const RowSparse& map_of(const MeshHierarchy& hierarchy, std::uint32_t level,
+                        std::int32_t direction) {
+    const MeshLevel& data = level_of(hierarchy, level);
+    if (level == 0)
+        fail(Status::invalid_argument, "level 0 has no maps; level names the coarser one");
+    check_choice(direction, MIEN_MAP_DOWN, MIEN_MAP_UP, "direction");
+    return direction == MIEN_MAP_DOWN ? data.down : data.up;
+}
+
 }  // namespace
 
 extern "C" {
@@ -93,11 +102,7 @@ mien_status MIEN_CALL mien_hierarchy_apply(const mien_hierarchy* hierarchy, uint
                                            uint64_t row_count, uint64_t channel_count, double* dst,
                                            uint64_t capacity, uint64_t* count, mien_error* error) {
     return guarded(error, [&] {
-        const MeshLevel& data = level_of(*checked(hierarchy, "hierarchy").data, level);
-        if (level == 0)
-            fail(Status::invalid_argument, "level 0 has no maps; level names the coarser one");
-        check_choice(direction, MIEN_MAP_DOWN, MIEN_MAP_UP, "direction");
-        const RowSparse& map = direction == MIEN_MAP_DOWN ? data.down : data.up;
+        const RowSparse& map = map_of(*checked(hierarchy, "hierarchy").data, level, direction);
         if (channel_count < 1 || channel_count > 4096)
             fail(Status::invalid_argument, "channel_count is %llu, allowed are 1 to 4096",
                  static_cast<unsigned long long>(channel_count));
@@ -116,6 +121,35 @@ mien_status MIEN_CALL mien_hierarchy_apply(const mien_hierarchy* hierarchy, uint
                                               static_cast<Index>(channel_count));
         const Features to = map * from;
         copy_rows(to.data(), rows, row_bytes, dst, capacity, count);
+    });
+}
+
+mien_status MIEN_CALL mien_hierarchy_get_map(const mien_hierarchy* hierarchy, uint32_t level,
+                                             int32_t direction, uint32_t* rows, uint32_t* columns,
+                                             double* values, uint64_t capacity, uint64_t* count,
+                                             uint64_t* row_count, uint64_t* column_count,
+                                             mien_error* error) {
+    return guarded(error, [&] {
+        const RowSparse& map = map_of(*checked(hierarchy, "hierarchy").data, level, direction);
+        const auto entries = static_cast<uint64_t>(map.nonZeros());
+        store(count, entries);
+        store(row_count, map.rows());
+        store(column_count, map.cols());
+        if (rows == nullptr && columns == nullptr && values == nullptr && capacity == 0) return;
+        if (capacity < entries)
+            fail(Status::buffer_too_small, "capacity is %llu, %llu entries are needed",
+                 static_cast<unsigned long long>(capacity),
+                 static_cast<unsigned long long>(entries));
+        check_output(rows, "rows");
+        check_output(columns, "columns");
+        check_output(values, "values");
+        std::size_t at = 0;
+        for (Index row = 0; row < map.outerSize(); ++row)
+            for (RowSparse::InnerIterator it(map, row); it; ++it, ++at) {
+                if (rows != nullptr) rows[at] = static_cast<uint32_t>(row);
+                if (columns != nullptr) columns[at] = static_cast<uint32_t>(it.col());
+                if (values != nullptr) values[at] = it.value();
+            }
     });
 }
 

@@ -152,6 +152,11 @@ TuneOptions read_tune_options(const mien_tune_options& given, const FaceDataset&
     if (given.sigma_count != 0)
         options.sigmas_mm =
             read_array(given.sigmas_mm, given.sigma_count, kMostNames, "options.sigmas_mm");
+    options.scales_mm =
+        read_array(given.scales_mm, given.scale_count, kMostNames, "options.scales_mm");
+    for (const std::int32_t levels :
+         read_array(given.level_counts, given.level_count, kMostNames, "options.level_counts"))
+        options.level_counts.push_back(levels);
     check_array(given.expressions, given.expression_count, alignof(const char*), kMostNames,
                 "options.expressions");
     std::vector<std::string> expressions;

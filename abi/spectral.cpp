@@ -109,6 +109,40 @@ mien_status MIEN_CALL mien_spectral_basis_get_eigenvalues(const mien_spectral_ba
     });
 }
 
+mien_status MIEN_CALL mien_spectral_basis_get_vector(const mien_spectral_basis* basis,
+                                                     uint64_t mode, double* dst, uint64_t capacity,
+                                                     uint64_t* count, mien_error* error) {
+    return guarded(error, [&] {
+        const SpectralBasis& data = *checked(basis, "basis").data;
+        const Index rows = data.num_vertices(), modes = data.num_modes();
+        if (mode >= static_cast<uint64_t>(modes))
+            fail(Status::invalid_argument, "mode %llu of a basis with %lld",
+                 static_cast<unsigned long long>(mode), static_cast<long long>(modes));
+        if (!wants_copy(static_cast<uint64_t>(rows), dst, capacity, count)) return;
+        Vector vector(rows);
+        for (Index v = 0; v < rows; ++v) vector[v] = data.vectors[v * modes + as_index(mode)];
+        copy_rows(vector.data(), static_cast<uint64_t>(rows), sizeof(double), dst, capacity, count);
+    });
+}
+
+mien_status MIEN_CALL mien_spectral_basis_get_mass(const mien_spectral_basis* basis, double* dst,
+                                                   uint64_t capacity, uint64_t* count,
+                                                   mien_error* error) {
+    return guarded(error, [&] {
+        const Vector& mass = checked(basis, "basis").data->mass;
+        copy_rows(mass.data(), static_cast<uint64_t>(mass.size()), sizeof(double), dst, capacity,
+                  count);
+    });
+}
+
+mien_status MIEN_CALL mien_spectral_basis_get_mean(const mien_spectral_basis* basis,
+                                                   mien_mesh** out, mien_error* error) {
+    return guarded_create(out, error, [&] {
+        const TriMesh& mean = checked(basis, "basis").data->mean_mesh;
+        return make_mesh(Points(mean.vertices), mean.triangles);
+    });
+}
+
 void MIEN_CALL mien_spectral_basis_retain(mien_spectral_basis* basis) {
     retain(basis);
 }
@@ -184,6 +218,55 @@ mien_status MIEN_CALL mien_spectral_mix(mien_session* session, const mien_spectr
     });
 }
 
+mien_status MIEN_CALL mien_spectral_project(mien_session* session, const mien_spectral_basis* basis,
+                                            const mien_mesh* face, uint64_t mode_count, double* dst,
+                                            uint64_t capacity, uint64_t* count, mien_error* error) {
+    return guarded(error, [&] {
+        const SpectralBasis& data = *checked(basis, "basis").data;
+        const TriMesh& mesh = *checked(face, "face").mesh;
+        const Call call(session);
+        const Index modes = std::min(as_index(mode_count), data.num_modes());
+        if (mesh.vertices.rows() != data.num_vertices())
+            fail(Status::mismatch, "the face has %lld vertices, the basis %lld",
+                 static_cast<long long>(mesh.vertices.rows()),
+                 static_cast<long long>(data.num_vertices()));
+        if (!wants_copy(static_cast<uint64_t>(modes), dst, capacity, count) || modes == 0) return;
+        using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+        const Points away = mesh.vertices - data.mean_mesh.vertices;
+        const Rows rows = project(data, away, modes, call.context());
+        copy_rows(rows.data(), static_cast<uint64_t>(modes), 3 * sizeof(double), dst, capacity,
+                  count);
+    });
+}
+
+mien_status MIEN_CALL mien_spectral_synthesize(mien_session* session,
+                                               const mien_spectral_basis* basis,
+                                               const double* coefficients, uint64_t row_count,
+                                               uint64_t first_mode, mien_mesh** out,
+                                               mien_error* error) {
+    return guarded_create(out, error, [&] {
+        const SpectralBasis& data = *checked(basis, "basis").data;
+        const Call call(session);
+        const auto modes = static_cast<uint64_t>(data.num_modes());
+        if (first_mode > modes || row_count > modes - first_mode)
+            fail(Status::invalid_argument, "%llu coefficients from mode %llu of a basis with %llu",
+                 static_cast<unsigned long long>(row_count),
+                 static_cast<unsigned long long>(first_mode),
+                 static_cast<unsigned long long>(modes));
+        check_array(coefficients, row_count, alignof(double), modes, "coefficients");
+        Points face = data.mean_mesh.vertices;
+        if (row_count != 0) {
+            const Matrix rows = Eigen::Map<const Points>(coefficients, as_index(row_count), 3);
+            for (Index j = 0; j < rows.rows(); ++j)
+                if (!rows.row(j).allFinite())
+                    fail_at(Status::invalid_argument, j, "coefficient %lld is not finite",
+                            static_cast<long long>(j));
+            face += synthesise(data, rows, as_index(first_mode), call.context());
+        }
+        return make_mesh(std::move(face), data.mean_mesh.triangles);
+    });
+}
+
 mien_status MIEN_CALL mien_metric(mien_session* session, int32_t metric, const mien_mesh* reference,
                                   const mien_mesh* other, double* value, mien_error* error) {
     return guarded(error, [&] {
@@ -209,6 +292,40 @@ mien_status MIEN_CALL mien_metric(mien_session* session, int32_t metric, const m
                 store(value, fmpd(a, b, call.context()));
                 break;
         }
+    });
+}
+
+mien_status MIEN_CALL mien_metric_field(mien_session* session, int32_t metric,
+                                        const mien_mesh* reference, const mien_mesh* other,
+                                        double* dst, uint64_t capacity, uint64_t* count,
+                                        mien_error* error) {
+    return guarded(error, [&] {
+        const TriMesh &a = *checked(reference, "reference").mesh,
+                      &b = *checked(other, "other").mesh;
+        const Call call(session);
+        check_choice(metric, MIEN_METRIC_L1, MIEN_METRIC_FMPD, "metric");
+        const auto rows = static_cast<uint64_t>(a.vertices.rows());
+        if (!wants_copy(rows, dst, capacity, count)) return;
+        const Vector field =
+            metric == MIEN_METRIC_L1 || metric == MIEN_METRIC_L2
+                ? vertex_distances(a.vertices, b.vertices, metric == MIEN_METRIC_L1)
+            : metric == MIEN_METRIC_HAUSDORFF ? surface_distances(a, b, call.context())
+            : metric == MIEN_METRIC_DAME      ? dame_field(a, b, call.context())
+                                              : fmpd_field(a, b, call.context());
+        copy_rows(field.data(), rows, sizeof(double), dst, capacity, count);
+    });
+}
+
+mien_status MIEN_CALL mien_metric_roughness(mien_session* session, const mien_mesh* mesh,
+                                            double* dst, uint64_t capacity, uint64_t* count,
+                                            mien_error* error) {
+    return guarded(error, [&] {
+        const TriMesh& surface = *checked(mesh, "mesh").mesh;
+        const Call call(session);
+        const auto rows = static_cast<uint64_t>(surface.vertices.rows());
+        if (!wants_copy(rows, dst, capacity, count)) return;
+        const Vector field = local_roughness(surface, call.context());
+        copy_rows(field.data(), rows, sizeof(double), dst, capacity, count);
     });
 }
 

@@ -766,6 +766,10 @@ namespace Mien
         public IReadOnlyList<string> Expressions { get; set; }
         /// <summary>of the dataset's order; 0 (default): all</summary>
         public int MaxSubjects { get; set; }
+        /// <summary>scale_count scales to try with each sigma, each &gt; 0; null: scale_mm alone</summary>
+        public double[] ScalesMm { get; set; }
+        /// <summary>level_count numbers of levels to try with each of those, each 1 to 12; null: `levels` alone</summary>
+        public int[] LevelCounts { get; set; }
 
         internal override void Fill(Call call, IntPtr at)
         {
@@ -783,6 +787,10 @@ namespace Mien
             raw->sigmaCount = (ulong)call.Rows(SigmasMm, 1, "sigmas_mm");
             raw->expressions = call.Texts(Expressions);
             raw->expressionCount = (uint)call.Rows(Expressions, 1, "expressions");
+            raw->scalesMm = call.Array(ScalesMm);
+            raw->scaleCount = (ulong)call.Rows(ScalesMm, 1, "scales_mm");
+            raw->levelCounts = call.Array(LevelCounts);
+            raw->levelCount = (ulong)call.Rows(LevelCounts, 1, "level_counts");
         }
 
         internal IntPtr Write(Call call, IProgress<Progress> progress, CancellationToken cancellationToken)
@@ -1618,6 +1626,80 @@ namespace Mien
             raw->progressUser = call.ProgressUser;
             raw->cancel = call.CancelToken(cancellationToken);
             return at;
+        }
+    }
+
+    /// <summary>mien_geodesic_options of the C interface.</summary>
+    public sealed unsafe class GeodesicOptions : Record
+    {
+        /// <summary>With the library's defaults.</summary>
+        public GeodesicOptions()
+        {
+            var raw = default(Native.GeodesicOptions);
+            Functions.mien_geodesic_options_init((IntPtr)(&raw), (UIntPtr)sizeof(Native.GeodesicOptions));
+            HeatBoundary = (Heat)raw.heatBoundary;
+            HeatTimeFactor = raw.heatTimeFactor;
+        }
+
+        /// <summary>MIEN_HEAT_..., default NEUMANN</summary>
+        public Heat HeatBoundary { get; set; }
+        /// <summary>heat time in units of (mean edge)^2, 0.01 to 10000, default 4</summary>
+        public double HeatTimeFactor { get; set; }
+
+        internal override void Fill(Call call, IntPtr at)
+        {
+            var raw = (Native.GeodesicOptions*)at;
+            Functions.mien_geodesic_options_init(at, (UIntPtr)sizeof(Native.GeodesicOptions));
+            raw->heatBoundary = (int)HeatBoundary;
+            raw->heatTimeFactor = HeatTimeFactor;
+        }
+
+        internal IntPtr Write(Call call, IProgress<Progress> progress, CancellationToken cancellationToken)
+        {
+            var at = call.Room(sizeof(Native.GeodesicOptions));
+            Fill(call, at);
+            var raw = (Native.GeodesicOptions*)at;
+            raw->progress = call.ProgressFunction(progress);
+            raw->progressUser = call.ProgressUser;
+            raw->cancel = call.CancelToken(cancellationToken);
+            return at;
+        }
+    }
+
+    /// <summary>mien_model_fit_options of the C interface.</summary>
+    public sealed unsafe class ModelFitOptions : Record
+    {
+        /// <summary>With the library's defaults.</summary>
+        public ModelFitOptions()
+        {
+            var raw = default(Native.ModelFitOptions);
+            Functions.mien_model_fit_options_init((IntPtr)(&raw), (UIntPtr)sizeof(Native.ModelFitOptions));
+            Align = raw.align;
+            RidgeMm2 = raw.ridgeMm2;
+            ScalarModes = raw.scalarModes;
+            VectorModes = raw.vectorModes;
+        }
+
+        /// <summary>1: move the target rigidly onto the model's mean; default 0</summary>
+        public int Align { get; set; }
+        /// <summary>rho: variance of the target's noise, mm^2, &gt;= 0; default 1</summary>
+        public double RidgeMm2 { get; set; }
+        /// <summary>one per vertex of the target, &gt;= 0, which enter squared; count 0: all one</summary>
+        public Values Weights { get; set; }
+        /// <summary>the first of them, the others stay 0; -1 (default): all</summary>
+        public int ScalarModes { get; set; }
+        /// <summary>the first of them, the others stay 0; -1 (default): all</summary>
+        public int VectorModes { get; set; }
+
+        internal override void Fill(Call call, IntPtr at)
+        {
+            var raw = (Native.ModelFitOptions*)at;
+            Functions.mien_model_fit_options_init(at, (UIntPtr)sizeof(Native.ModelFitOptions));
+            raw->align = Align;
+            raw->ridgeMm2 = RidgeMm2;
+            raw->weights = call.Matrix(Weights, 1, "weights");
+            raw->scalarModes = ScalarModes;
+            raw->vectorModes = VectorModes;
         }
     }
 
@@ -2509,6 +2591,30 @@ namespace Mien
     }
 
     /// <summary>What comes out of one call.</summary>
+    public sealed class HierarchyMap
+    {
+        internal HierarchyMap(uint[] rows, uint[] columns, double[] values, ulong rowCount, ulong columnCount)
+        {
+            Rows = rows;
+            Columns = columns;
+            Values = values;
+            RowCount = rowCount;
+            ColumnCount = columnCount;
+        }
+
+        /// <summary>numbers of vertices that the map ends at.</summary>
+        public uint[] Rows { get; private set; }
+        /// <summary>numbers of vertices that it starts from.</summary>
+        public uint[] Columns { get; private set; }
+        /// <summary>float64.</summary>
+        public double[] Values { get; private set; }
+        /// <summary>may be left out; vertices that the map ends at.</summary>
+        public ulong RowCount { get; private set; }
+        /// <summary>may be left out; vertices that it starts from.</summary>
+        public ulong ColumnCount { get; private set; }
+    }
+
+    /// <summary>What comes out of one call.</summary>
     public sealed class NetworkCounts
     {
         internal NetworkCounts(ulong vertexCount, ulong codeCount)
@@ -3099,6 +3205,50 @@ namespace Mien
             }
         }
 
+        /// <summary>Spectral coefficients of a face: U' M (face - mean), one row of x, y, z per mode, float64.</summary>
+        /// <param name="face">#V vertices, mm, aligned with the mean shape.</param>
+        /// <param name="modeCount">0 to the basis' modes: the first of them; more means all.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MISMATCH (vertex count), MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_spectral_project()</remarks>
+        public double[] SpectralProject(SpectralBasis basis, Mesh face, ulong modeCount)
+        {
+            using (var call = new Call())
+            {
+                call.Lock(this);
+                var sessionAt = call.Use(this);
+                var basisAt = call.Use(basis);
+                var faceAt = call.Use(face);
+                var countAt = call.Room(8);
+                long capacity = call.FirstCapacity(3 * 8);
+                IntPtr dstAt;
+                do {
+                    dstAt = call.Room(capacity * 3 * 8);
+                } while ((capacity = call.More(Functions.mien_spectral_project(sessionAt, basisAt, faceAt, modeCount, dstAt, (ulong)capacity, countAt, call.Error), capacity, countAt)) != 0);
+                var rows = call.Count(countAt);
+                return call.ReadDoubles(dstAt, rows * 3);
+            }
+        }
+
+        /// <summary>The face that has these spectral coefficients: mean + U c. All other modes are zero.</summary>
+        /// <param name="firstMode">the mode of the first row.</param>
+        /// <param name="coefficients">row_count x 3 row-major float64, finite</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (modes, not finite), MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_spectral_synthesize()</remarks>
+        public Mesh SpectralSynthesize(SpectralBasis basis, ulong firstMode, double[] coefficients = null)
+        {
+            using (var call = new Call())
+            {
+                call.Lock(this);
+                var sessionAt = call.Use(this);
+                var basisAt = call.Use(basis);
+                var rowCount = call.Rows(coefficients, 3, "coefficients");
+                var coefficientsAt = call.Array(coefficients);
+                var outAt = call.Room(8);
+                call.Check(Functions.mien_spectral_synthesize(sessionAt, basisAt, coefficientsAt, (ulong)rowCount, firstMode, outAt, call.Error));
+                return call.Keep(new Mesh(call.Pointer(outAt)));
+            }
+        }
+
         /// <summary>A geometric or perceptual distance. L1, L2 and DAME need correspondence, the others do not.</summary>
         /// <param name="metric">MIEN_METRIC_...</param>
         /// <param name="reference">mm.</param>
@@ -3117,6 +3267,56 @@ namespace Mien
                 var valueAt = call.Room(8);
                 call.Check(Functions.mien_metric(sessionAt, (int)metric, referenceAt, otherAt, valueAt, call.Error));
                 return *(double*)valueAt;
+            }
+        }
+
+        /// <summary>Where a distance comes from: one value per vertex of the reference. L1, L2: distance of the two vertices;
+        /// Hausdorff: of the vertex from the other surface; DAME: masked change of the dihedral angles around the vertex,
+        /// rad; FMPD: how much rougher (above 0) or smoother (below 0) the other looks there, after saturation and masking.</summary>
+        /// <param name="metric">MIEN_METRIC_...</param>
+        /// <param name="reference">mm.</param>
+        /// <param name="other">mm; the reference's triangles, but for Hausdorff.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (metric), MIEN_E_MISMATCH (vertex
+        /// count or triangles), MIEN_E_INVALID_MESH (no triangles), MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_metric_field()</remarks>
+        public double[] MetricField(Metric metric, Mesh reference, Mesh other)
+        {
+            using (var call = new Call())
+            {
+                call.Lock(this);
+                var sessionAt = call.Use(this);
+                var referenceAt = call.Use(reference);
+                var otherAt = call.Use(other);
+                var countAt = call.Room(8);
+                long capacity = call.FirstCapacity(8);
+                IntPtr dstAt;
+                do {
+                    dstAt = call.Room(capacity * 8);
+                } while ((capacity = call.More(Functions.mien_metric_field(sessionAt, (int)metric, referenceAt, otherAt, dstAt, (ulong)capacity, countAt, call.Error), capacity, countAt)) != 0);
+                var rows = call.Count(countAt);
+                return call.ReadDoubles(dstAt, rows);
+            }
+        }
+
+        /// <summary>Local roughness of one mesh, what FMPD is made of: the Laplacian of the angle defect, rad, zero at borders.</summary>
+        /// <param name="mesh">with triangles.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (no triangles), MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_metric_roughness()</remarks>
+        public double[] MetricRoughness(Mesh mesh)
+        {
+            using (var call = new Call())
+            {
+                call.Lock(this);
+                var sessionAt = call.Use(this);
+                var meshAt = call.Use(mesh);
+                var countAt = call.Room(8);
+                long capacity = call.FirstCapacity(8);
+                IntPtr dstAt;
+                do {
+                    dstAt = call.Room(capacity * 8);
+                } while ((capacity = call.More(Functions.mien_metric_roughness(sessionAt, meshAt, dstAt, (ulong)capacity, countAt, call.Error), capacity, countAt)) != 0);
+                var rows = call.Count(countAt);
+                return call.ReadDoubles(dstAt, rows);
             }
         }
 
@@ -3371,6 +3571,49 @@ namespace Mien
         public Task<Evaluation> EvaluateNeutralizationAsync(ExpressionModel model, string datasetPath, EvaluateOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
         {
             return Task.Run(() => EvaluateNeutralization(model, datasetPath, options, progress, cancellationToken), cancellationToken);
+        }
+
+        /// <summary>Distance of every vertex from the nearest of some vertices, along the surface, by the heat method; a model's
+        /// template is a mesh too (mien_model_mesh()). Holes are gone around, edges are not followed.</summary>
+        /// <param name="mesh">#V x 3, mm, with triangles.</param>
+        /// <param name="sources">source_count vertex numbers.</param>
+        /// <param name="options">may be left out: heat stays inside, a time of 4 mean edges squared.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_UNSUPPORTED_OPTION,
+        /// MIEN_E_NO_SOLUTION, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
+        /// <remarks>C: mien_measure_geodesic()</remarks>
+        public double[] MeasureGeodesic(Mesh mesh, uint[] sources, GeodesicOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            using (var call = new Call())
+            {
+                call.Required(sources, "sources");
+                call.Lock(this);
+                var sessionAt = call.Use(this);
+                var meshAt = call.Use(mesh);
+                var sourceCount = call.Rows(sources, 1, "sources");
+                var sourcesAt = call.Array(sources);
+                var optionsAt = (options ?? new GeodesicOptions()).Write(call, progress, cancellationToken);
+                var countAt = call.Room(8);
+                long capacity = call.FirstCapacity(8);
+                IntPtr dstAt;
+                do {
+                    dstAt = call.Room(capacity * 8);
+                } while ((capacity = call.More(Functions.mien_measure_geodesic(sessionAt, meshAt, sourcesAt, (ulong)sourceCount, optionsAt, dstAt, (ulong)capacity, countAt, call.Error), capacity, countAt)) != 0);
+                var rows = call.Count(countAt);
+                return call.ReadDoubles(dstAt, rows);
+            }
+        }
+
+        /// <summary>Distance of every vertex from the nearest of some vertices, along the surface, by the heat method; a model's
+        /// template is a mesh too (mien_model_mesh()). Holes are gone around, edges are not followed.</summary>
+        /// <param name="mesh">#V x 3, mm, with triangles.</param>
+        /// <param name="sources">source_count vertex numbers.</param>
+        /// <param name="options">may be left out: heat stays inside, a time of 4 mean edges squared.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_UNSUPPORTED_OPTION,
+        /// MIEN_E_NO_SOLUTION, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
+        /// <remarks>C: mien_measure_geodesic()</remarks>
+        public Task<double[]> MeasureGeodesicAsync(Mesh mesh, uint[] sources, GeodesicOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            return Task.Run(() => MeasureGeodesic(mesh, sources, options, progress, cancellationToken), cancellationToken);
         }
 
         /// <summary>How far raters (or one rater's sessions) agree, as JSON: confusion matrices, percent agreement, Cohen's kappa
@@ -4419,7 +4662,8 @@ namespace Mien
             }
         }
 
-        /// <summary>Fits faces of known correspondence with a kernel of each length scale and reports what is left.</summary>
+        /// <summary>Fits faces of known correspondence with a kernel of each length scale, and of each scale and number of levels
+        /// that is asked for, and reports what is left.</summary>
         /// <param name="templateMesh">#V x 3, mm.</param>
         /// <param name="dataset">UTF-8 path of a dataset in the template's correspondence, its faces may cover only the template's first
         /// vertices.</param>
@@ -4443,7 +4687,8 @@ namespace Mien
             }
         }
 
-        /// <summary>Fits faces of known correspondence with a kernel of each length scale and reports what is left.</summary>
+        /// <summary>Fits faces of known correspondence with a kernel of each length scale, and of each scale and number of levels
+        /// that is asked for, and reports what is left.</summary>
         /// <param name="templateMesh">#V x 3, mm.</param>
         /// <param name="dataset">UTF-8 path of a dataset in the template's correspondence, its faces may cover only the template's first
         /// vertices.</param>
@@ -4498,15 +4743,61 @@ namespace Mien
                 return call.Keep(new Zones(call.Pointer(outAt)));
             }
         }
+
+        /// <summary>The coefficients that bring the template nearest to a face in its correspondence: least squares, weighted per
+        /// vertex, with a ridge.</summary>
+        /// <param name="target">mm, in the template's frame unless options.align; the vertices of the template, or its first ones.</param>
+        /// <param name="options">may be left out: no weights, a ridge of 1 mm^2, all modes.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MISMATCH (vertices, weights), MIEN_E_INVALID_MESH,
+        /// MIEN_E_UNSUPPORTED_OPTION, MIEN_E_NO_SOLUTION, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_model_fit()</remarks>
+        public double[] Fit(Session session, Mesh target, ModelFitOptions options = null)
+        {
+            using (var call = new Call())
+            {
+                call.Lock(session);
+                var sessionAt = call.Use(session);
+                var modelAt = call.Use(this);
+                var targetAt = call.Use(target);
+                var optionsAt = call.Record(options, sizeof(Native.ModelFitOptions), true, "options");
+                var countAt = call.Room(8);
+                long capacity = call.FirstCapacity(8);
+                IntPtr dstAt;
+                do {
+                    dstAt = call.Room(capacity * 8);
+                } while ((capacity = call.More(Functions.mien_model_fit(sessionAt, modelAt, targetAt, optionsAt, dstAt, (ulong)capacity, countAt, call.Error), capacity, countAt)) != 0);
+                var rows = call.Count(countAt);
+                return call.ReadDoubles(dstAt, rows);
+            }
+        }
+
+        /// <summary>The face that has these coefficients: the template moved by the mean and the modes.</summary>
+        /// <param name="coefficients">coefficient_count finite values</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MISMATCH (coefficient_count), MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_model_synthesize()</remarks>
+        public Mesh Synthesize(Session session, double[] coefficients = null)
+        {
+            using (var call = new Call())
+            {
+                call.Lock(session);
+                var sessionAt = call.Use(session);
+                var modelAt = call.Use(this);
+                var coefficientCount = call.Rows(coefficients, 1, "coefficients");
+                var coefficientsAt = call.Array(coefficients);
+                var outAt = call.Room(8);
+                call.Check(Functions.mien_model_synthesize(sessionAt, modelAt, coefficientsAt, (ulong)coefficientCount, outAt, call.Error));
+                return call.Keep(new Mesh(call.Pointer(outAt)));
+            }
+        }
     }
 
-    /// <summary>A finished search for a kernel's length scale. Immutable.</summary>
+    /// <summary>A finished search for a kernel's settings. Immutable.</summary>
     public sealed unsafe class Tuning : NativeObject
     {
         internal Tuning(IntPtr owned) : base(owned, at => Functions.mien_tuning_release(at)) { }
 
-        /// <summary>Residual against sigma as JSON text by the two-call protocol: best_sigma_mm and, per sigma, mean, deviation and
-        /// every face's residual norm in mm.</summary>
+        /// <summary>Residuals as JSON text by the two-call protocol: best_sigma_mm, best_scale_mm, best_levels and, per combination,
+        /// its sigma, scale and levels, and mean, deviation and every face's residual norm in mm.</summary>
         /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT</exception>
         /// <remarks>C: mien_tuning_get_json()</remarks>
         public string GetJson()
@@ -5246,6 +5537,60 @@ namespace Mien
                 return call.ReadDoubles(dstAt, rows);
             }
         }
+
+        /// <summary>Copies one eigenvector, U's column: a value per vertex, orthonormal in the mass matrix, so 1/mm (plain without
+        /// mass).</summary>
+        /// <param name="mode">0 to the basis' modes - 1.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (mode), MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_spectral_basis_get_vector()</remarks>
+        public double[] GetVector(ulong mode)
+        {
+            using (var call = new Call())
+            {
+                var basisAt = call.Use(this);
+                var countAt = call.Room(8);
+                long capacity = call.FirstCapacity(8);
+                IntPtr dstAt;
+                do {
+                    dstAt = call.Room(capacity * 8);
+                } while ((capacity = call.More(Functions.mien_spectral_basis_get_vector(basisAt, mode, dstAt, (ulong)capacity, countAt, call.Error), capacity, countAt)) != 0);
+                var rows = call.Count(countAt);
+                return call.ReadDoubles(dstAt, rows);
+            }
+        }
+
+        /// <summary>Copies the diagonal of the mass matrix: mm^2 per vertex, ones without mass.</summary>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT</exception>
+        /// <remarks>C: mien_spectral_basis_get_mass()</remarks>
+        public double[] GetMass()
+        {
+            using (var call = new Call())
+            {
+                var basisAt = call.Use(this);
+                var countAt = call.Room(8);
+                long capacity = call.FirstCapacity(8);
+                IntPtr dstAt;
+                do {
+                    dstAt = call.Room(capacity * 8);
+                } while ((capacity = call.More(Functions.mien_spectral_basis_get_mass(basisAt, dstAt, (ulong)capacity, countAt, call.Error), capacity, countAt)) != 0);
+                var rows = call.Count(countAt);
+                return call.ReadDoubles(dstAt, rows);
+            }
+        }
+
+        /// <summary>The mean shape that the basis belongs to.</summary>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_spectral_basis_get_mean()</remarks>
+        public Mesh GetMean()
+        {
+            using (var call = new Call())
+            {
+                var basisAt = call.Use(this);
+                var outAt = call.Room(8);
+                call.Check(Functions.mien_spectral_basis_get_mean(basisAt, outAt, call.Error));
+                return call.Keep(new Mesh(call.Pointer(outAt)));
+            }
+        }
     }
 
     /// <summary>Predicts one expression of a person from the neutral face. Immutable: share freely.</summary>
@@ -5664,6 +6009,32 @@ namespace Mien
                 var outAt = call.Room(8);
                 call.Check(Functions.mien_registration_create(sessionAt, meshAt, weightAt, residualAt, standardDeviationAt, (int)quality, outAt, call.Error));
                 return call.Keep(new Registration(call.Pointer(outAt)));
+            }
+        }
+
+        /// <summary>The coefficients of a registered face: its fitted template, brought back into the model's frame by the
+        /// registration's own motion and fitted as by mien_model_fit(). What the fit took from the model comes back; what
+        /// it moved beyond the model's span, to close the last gap to the scan, is left out.</summary>
+        /// <param name="ridgeMm2">mm^2, &gt;= 0; 0: the nearest face of the model's span.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MISMATCH (of another model), MIEN_E_NO_SOLUTION,
+        /// MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_registration_get_coefficients()</remarks>
+        public double[] GetCoefficients(Session session, Model model, double ridgeMm2)
+        {
+            using (var call = new Call())
+            {
+                call.Lock(session);
+                var sessionAt = call.Use(session);
+                var registrationAt = call.Use(this);
+                var modelAt = call.Use(model);
+                var countAt = call.Room(8);
+                long capacity = call.FirstCapacity(8);
+                IntPtr dstAt;
+                do {
+                    dstAt = call.Room(capacity * 8);
+                } while ((capacity = call.More(Functions.mien_registration_get_coefficients(sessionAt, registrationAt, modelAt, ridgeMm2, dstAt, (ulong)capacity, countAt, call.Error), capacity, countAt)) != 0);
+                var rows = call.Count(countAt);
+                return call.ReadDoubles(dstAt, rows);
             }
         }
     }
@@ -6195,6 +6566,34 @@ namespace Mien
                 } while ((capacity = call.More(Functions.mien_hierarchy_apply(hierarchyAt, level, (int)direction, valuesAt, (ulong)rowCount, channelCount, dstAt, (ulong)capacity, countAt, call.Error), capacity, countAt)) != 0);
                 var rows = call.Count(countAt);
                 return call.ReadDoubles(dstAt, rows * (long) channelCount);
+            }
+        }
+
+        /// <summary>A map as a sparse matrix: its entries by rows, ascending, each row adding up to one. With all arrays null and
+        /// capacity 0: the counts only.</summary>
+        /// <param name="level">1 to level_count - 1: the coarser level of the map.</param>
+        /// <param name="direction">MIEN_MAP_DOWN or MIEN_MAP_UP.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (direction)</exception>
+        /// <remarks>C: mien_hierarchy_get_map()</remarks>
+        public HierarchyMap GetMap(uint level, MapKind direction)
+        {
+            using (var call = new Call())
+            {
+                var hierarchyAt = call.Use(this);
+                var rowCountAt = call.Room(8);
+                var columnCountAt = call.Room(8);
+                var countAt = call.Room(8);
+                long capacity = call.FirstCapacity(8);
+                IntPtr rowsAt;
+                IntPtr columnsAt;
+                IntPtr valuesAt;
+                do {
+                    rowsAt = call.Room(capacity * 4);
+                    columnsAt = call.Room(capacity * 4);
+                    valuesAt = call.Room(capacity * 8);
+                } while ((capacity = call.More(Functions.mien_hierarchy_get_map(hierarchyAt, level, (int)direction, rowsAt, columnsAt, valuesAt, (ulong)capacity, countAt, rowCountAt, columnCountAt, call.Error), capacity, countAt)) != 0);
+                var rows = call.Count(countAt);
+                return new HierarchyMap(call.ReadUints(rowsAt, rows), call.ReadUints(columnsAt, rows), call.ReadDoubles(valuesAt, rows), *(ulong*)rowCountAt, *(ulong*)columnCountAt);
             }
         }
     }

@@ -166,6 +166,10 @@ namespace Mien.Native
         public IntPtr progress;
         public IntPtr progressUser;
         public IntPtr cancel;
+        public IntPtr scalesMm;
+        public ulong scaleCount;
+        public IntPtr levelCounts;
+        public ulong levelCount;
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -449,6 +453,28 @@ namespace Mien.Native
         public IntPtr cancel;
         public IntPtr volumeZones;
         public ulong volumeZoneCount;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct GeodesicOptions
+    {
+        public uint structSize;
+        public int heatBoundary;
+        public double heatTimeFactor;
+        public IntPtr progress;
+        public IntPtr progressUser;
+        public IntPtr cancel;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct ModelFitOptions
+    {
+        public uint structSize;
+        public int align;
+        public double ridgeMm2;
+        public ArrayView weights;
+        public int scalarModes;
+        public int vectorModes;
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -897,7 +923,21 @@ namespace Mien.Native
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern int mien_spectral_mix(IntPtr session, IntPtr basis, IntPtr first, IntPtr second, IntPtr limits, ulong limitCount, IntPtr weights, IntPtr @out, IntPtr error);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_basis_get_vector(IntPtr basis, ulong mode, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_basis_get_mass(IntPtr basis, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_basis_get_mean(IntPtr basis, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_project(IntPtr session, IntPtr basis, IntPtr face, ulong modeCount, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_spectral_synthesize(IntPtr session, IntPtr basis, IntPtr coefficients, ulong rowCount, ulong firstMode, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern int mien_metric(IntPtr session, int metric, IntPtr reference, IntPtr other, IntPtr value, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_metric_field(IntPtr session, int metric, IntPtr reference, IntPtr other, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_metric_roughness(IntPtr session, IntPtr mesh, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern int mien_transfer_expression(IntPtr session, IntPtr sourceNeutral, IntPtr sourceExpression, IntPtr targetNeutral, IntPtr @out, IntPtr error);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
@@ -1011,6 +1051,10 @@ namespace Mien.Native
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_evaluation_release(IntPtr evaluation);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_geodesic_options_init(IntPtr options, UIntPtr structSize);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_measure_geodesic(IntPtr session, IntPtr mesh, IntPtr sources, ulong sourceCount, IntPtr options, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern int mien_hierarchy_build_quadric(IntPtr session, IntPtr mesh, uint levelCount, double factor, IntPtr @out, IntPtr error);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern int mien_hierarchy_build_connectivity(IntPtr session, IntPtr mesh, uint levelCount, uint stride, uint radius, IntPtr @out, IntPtr error);
@@ -1024,6 +1068,8 @@ namespace Mien.Native
         internal static extern int mien_hierarchy_get_level(IntPtr hierarchy, uint level, IntPtr @out, IntPtr error);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern int mien_hierarchy_apply(IntPtr hierarchy, uint level, int direction, IntPtr values, ulong rowCount, ulong channelCount, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_hierarchy_get_map(IntPtr hierarchy, uint level, int direction, IntPtr rows, IntPtr columns, IntPtr values, ulong capacity, IntPtr count, IntPtr rowCount, IntPtr columnCount, IntPtr error);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_hierarchy_retain(IntPtr hierarchy);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
@@ -1040,6 +1086,14 @@ namespace Mien.Native
         internal static extern int mien_mesh_decimate(IntPtr session, IntPtr mesh, ulong vertexCount, IntPtr @out, IntPtr error);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern int mien_mesh_check_same_unit(IntPtr first, IntPtr second, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_model_fit_options_init(IntPtr options, UIntPtr structSize);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_model_fit(IntPtr session, IntPtr model, IntPtr target, IntPtr options, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_model_synthesize(IntPtr session, IntPtr model, IntPtr coefficients, ulong coefficientCount, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_registration_get_coefficients(IntPtr session, IntPtr registration, IntPtr model, double ridgeMm2, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_network_evaluation_options_init(IntPtr options, UIntPtr structSize);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
@@ -1542,8 +1596,29 @@ namespace Mien.Native
         internal delegate int mien_spectral_mix_function(IntPtr session, IntPtr basis, IntPtr first, IntPtr second, IntPtr limits, ulong limitCount, IntPtr weights, IntPtr @out, IntPtr error);
         internal static readonly mien_spectral_mix_function mien_spectral_mix = Library.Function<mien_spectral_mix_function>("mien_spectral_mix");
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_spectral_basis_get_vector_function(IntPtr basis, ulong mode, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_spectral_basis_get_vector_function mien_spectral_basis_get_vector = Library.Function<mien_spectral_basis_get_vector_function>("mien_spectral_basis_get_vector");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_spectral_basis_get_mass_function(IntPtr basis, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_spectral_basis_get_mass_function mien_spectral_basis_get_mass = Library.Function<mien_spectral_basis_get_mass_function>("mien_spectral_basis_get_mass");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_spectral_basis_get_mean_function(IntPtr basis, IntPtr @out, IntPtr error);
+        internal static readonly mien_spectral_basis_get_mean_function mien_spectral_basis_get_mean = Library.Function<mien_spectral_basis_get_mean_function>("mien_spectral_basis_get_mean");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_spectral_project_function(IntPtr session, IntPtr basis, IntPtr face, ulong modeCount, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_spectral_project_function mien_spectral_project = Library.Function<mien_spectral_project_function>("mien_spectral_project");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_spectral_synthesize_function(IntPtr session, IntPtr basis, IntPtr coefficients, ulong rowCount, ulong firstMode, IntPtr @out, IntPtr error);
+        internal static readonly mien_spectral_synthesize_function mien_spectral_synthesize = Library.Function<mien_spectral_synthesize_function>("mien_spectral_synthesize");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         internal delegate int mien_metric_function(IntPtr session, int metric, IntPtr reference, IntPtr other, IntPtr value, IntPtr error);
         internal static readonly mien_metric_function mien_metric = Library.Function<mien_metric_function>("mien_metric");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_metric_field_function(IntPtr session, int metric, IntPtr reference, IntPtr other, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_metric_field_function mien_metric_field = Library.Function<mien_metric_field_function>("mien_metric_field");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_metric_roughness_function(IntPtr session, IntPtr mesh, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_metric_roughness_function mien_metric_roughness = Library.Function<mien_metric_roughness_function>("mien_metric_roughness");
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         internal delegate int mien_transfer_expression_function(IntPtr session, IntPtr sourceNeutral, IntPtr sourceExpression, IntPtr targetNeutral, IntPtr @out, IntPtr error);
         internal static readonly mien_transfer_expression_function mien_transfer_expression = Library.Function<mien_transfer_expression_function>("mien_transfer_expression");
@@ -1713,6 +1788,12 @@ namespace Mien.Native
         internal delegate void mien_evaluation_release_function(IntPtr evaluation);
         internal static readonly mien_evaluation_release_function mien_evaluation_release = Library.Function<mien_evaluation_release_function>("mien_evaluation_release");
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_geodesic_options_init_function(IntPtr options, UIntPtr structSize);
+        internal static readonly mien_geodesic_options_init_function mien_geodesic_options_init = Library.Function<mien_geodesic_options_init_function>("mien_geodesic_options_init");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_measure_geodesic_function(IntPtr session, IntPtr mesh, IntPtr sources, ulong sourceCount, IntPtr options, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_measure_geodesic_function mien_measure_geodesic = Library.Function<mien_measure_geodesic_function>("mien_measure_geodesic");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         internal delegate int mien_hierarchy_build_quadric_function(IntPtr session, IntPtr mesh, uint levelCount, double factor, IntPtr @out, IntPtr error);
         internal static readonly mien_hierarchy_build_quadric_function mien_hierarchy_build_quadric = Library.Function<mien_hierarchy_build_quadric_function>("mien_hierarchy_build_quadric");
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
@@ -1733,6 +1814,9 @@ namespace Mien.Native
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         internal delegate int mien_hierarchy_apply_function(IntPtr hierarchy, uint level, int direction, IntPtr values, ulong rowCount, ulong channelCount, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
         internal static readonly mien_hierarchy_apply_function mien_hierarchy_apply = Library.Function<mien_hierarchy_apply_function>("mien_hierarchy_apply");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_hierarchy_get_map_function(IntPtr hierarchy, uint level, int direction, IntPtr rows, IntPtr columns, IntPtr values, ulong capacity, IntPtr count, IntPtr rowCount, IntPtr columnCount, IntPtr error);
+        internal static readonly mien_hierarchy_get_map_function mien_hierarchy_get_map = Library.Function<mien_hierarchy_get_map_function>("mien_hierarchy_get_map");
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         internal delegate void mien_hierarchy_retain_function(IntPtr hierarchy);
         internal static readonly mien_hierarchy_retain_function mien_hierarchy_retain = Library.Function<mien_hierarchy_retain_function>("mien_hierarchy_retain");
@@ -1757,6 +1841,18 @@ namespace Mien.Native
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         internal delegate int mien_mesh_check_same_unit_function(IntPtr first, IntPtr second, IntPtr error);
         internal static readonly mien_mesh_check_same_unit_function mien_mesh_check_same_unit = Library.Function<mien_mesh_check_same_unit_function>("mien_mesh_check_same_unit");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_model_fit_options_init_function(IntPtr options, UIntPtr structSize);
+        internal static readonly mien_model_fit_options_init_function mien_model_fit_options_init = Library.Function<mien_model_fit_options_init_function>("mien_model_fit_options_init");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_model_fit_function(IntPtr session, IntPtr model, IntPtr target, IntPtr options, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_model_fit_function mien_model_fit = Library.Function<mien_model_fit_function>("mien_model_fit");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_model_synthesize_function(IntPtr session, IntPtr model, IntPtr coefficients, ulong coefficientCount, IntPtr @out, IntPtr error);
+        internal static readonly mien_model_synthesize_function mien_model_synthesize = Library.Function<mien_model_synthesize_function>("mien_model_synthesize");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_registration_get_coefficients_function(IntPtr session, IntPtr registration, IntPtr model, double ridgeMm2, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_registration_get_coefficients_function mien_registration_get_coefficients = Library.Function<mien_registration_get_coefficients_function>("mien_registration_get_coefficients");
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         internal delegate void mien_network_evaluation_options_init_function(IntPtr options, UIntPtr structSize);
         internal static readonly mien_network_evaluation_options_init_function mien_network_evaluation_options_init = Library.Function<mien_network_evaluation_options_init_function>("mien_network_evaluation_options_init");

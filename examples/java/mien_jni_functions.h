@@ -101,7 +101,7 @@ STATIC_CHECK(offsetof(mien_model_options, zone_count) == 184, place_of_mien_mode
 STATIC_CHECK(offsetof(mien_model_options, progress) == 192, place_of_mien_model_options_progress);
 STATIC_CHECK(offsetof(mien_model_options, progress_user) == 200, place_of_mien_model_options_progress_user);
 STATIC_CHECK(offsetof(mien_model_options, cancel) == 208, place_of_mien_model_options_cancel);
-STATIC_CHECK(sizeof(mien_tune_options) == 96, size_of_mien_tune_options);
+STATIC_CHECK(sizeof(mien_tune_options) == 128, size_of_mien_tune_options);
 STATIC_CHECK(offsetof(mien_tune_options, struct_size) == 0, place_of_mien_tune_options_struct_size);
 STATIC_CHECK(offsetof(mien_tune_options, kernel) == 4, place_of_mien_tune_options_kernel);
 STATIC_CHECK(offsetof(mien_tune_options, sigmas_mm) == 8, place_of_mien_tune_options_sigmas_mm);
@@ -117,6 +117,10 @@ STATIC_CHECK(offsetof(mien_tune_options, max_subjects) == 68, place_of_mien_tune
 STATIC_CHECK(offsetof(mien_tune_options, progress) == 72, place_of_mien_tune_options_progress);
 STATIC_CHECK(offsetof(mien_tune_options, progress_user) == 80, place_of_mien_tune_options_progress_user);
 STATIC_CHECK(offsetof(mien_tune_options, cancel) == 88, place_of_mien_tune_options_cancel);
+STATIC_CHECK(offsetof(mien_tune_options, scales_mm) == 96, place_of_mien_tune_options_scales_mm);
+STATIC_CHECK(offsetof(mien_tune_options, scale_count) == 104, place_of_mien_tune_options_scale_count);
+STATIC_CHECK(offsetof(mien_tune_options, level_counts) == 112, place_of_mien_tune_options_level_counts);
+STATIC_CHECK(offsetof(mien_tune_options, level_count) == 120, place_of_mien_tune_options_level_count);
 STATIC_CHECK(sizeof(mien_scan_landmark) == 32, size_of_mien_scan_landmark);
 STATIC_CHECK(offsetof(mien_scan_landmark, name) == 0, place_of_mien_scan_landmark_name);
 STATIC_CHECK(offsetof(mien_scan_landmark, position) == 8, place_of_mien_scan_landmark_position);
@@ -328,6 +332,20 @@ STATIC_CHECK(offsetof(mien_evaluate_options, progress_user) == 72, place_of_mien
 STATIC_CHECK(offsetof(mien_evaluate_options, cancel) == 80, place_of_mien_evaluate_options_cancel);
 STATIC_CHECK(offsetof(mien_evaluate_options, volume_zones) == 88, place_of_mien_evaluate_options_volume_zones);
 STATIC_CHECK(offsetof(mien_evaluate_options, volume_zone_count) == 96, place_of_mien_evaluate_options_volume_zone_count);
+STATIC_CHECK(sizeof(mien_geodesic_options) == 40, size_of_mien_geodesic_options);
+STATIC_CHECK(offsetof(mien_geodesic_options, struct_size) == 0, place_of_mien_geodesic_options_struct_size);
+STATIC_CHECK(offsetof(mien_geodesic_options, heat_boundary) == 4, place_of_mien_geodesic_options_heat_boundary);
+STATIC_CHECK(offsetof(mien_geodesic_options, heat_time_factor) == 8, place_of_mien_geodesic_options_heat_time_factor);
+STATIC_CHECK(offsetof(mien_geodesic_options, progress) == 16, place_of_mien_geodesic_options_progress);
+STATIC_CHECK(offsetof(mien_geodesic_options, progress_user) == 24, place_of_mien_geodesic_options_progress_user);
+STATIC_CHECK(offsetof(mien_geodesic_options, cancel) == 32, place_of_mien_geodesic_options_cancel);
+STATIC_CHECK(sizeof(mien_model_fit_options) == 56, size_of_mien_model_fit_options);
+STATIC_CHECK(offsetof(mien_model_fit_options, struct_size) == 0, place_of_mien_model_fit_options_struct_size);
+STATIC_CHECK(offsetof(mien_model_fit_options, align) == 4, place_of_mien_model_fit_options_align);
+STATIC_CHECK(offsetof(mien_model_fit_options, ridge_mm2) == 8, place_of_mien_model_fit_options_ridge_mm2);
+STATIC_CHECK(offsetof(mien_model_fit_options, weights) == 16, place_of_mien_model_fit_options_weights);
+STATIC_CHECK(offsetof(mien_model_fit_options, scalar_modes) == 48, place_of_mien_model_fit_options_scalar_modes);
+STATIC_CHECK(offsetof(mien_model_fit_options, vector_modes) == 52, place_of_mien_model_fit_options_vector_modes);
 STATIC_CHECK(sizeof(mien_network_options) == 16, size_of_mien_network_options);
 STATIC_CHECK(offsetof(mien_network_options, struct_size) == 0, place_of_mien_network_options_struct_size);
 STATIC_CHECK(offsetof(mien_network_options, reserved) == 4, place_of_mien_network_options_reserved);
@@ -1208,10 +1226,52 @@ JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1spectral_1mix(JNIEnv *env, jobject
     return (jint)mien_spectral_mix((mien_session*)(intptr_t)session, (const mien_spectral_basis*)(intptr_t)basis, (const mien_mesh*)(intptr_t)first, (const mien_mesh*)(intptr_t)second, (const uint64_t*)(intptr_t)limits, (uint64_t)limit_count, (const double*)(intptr_t)weights, (mien_mesh**)(intptr_t)out, (mien_error*)(intptr_t)error);
 }
 
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1spectral_1basis_1get_1vector(JNIEnv *env, jobject self, jlong basis, jlong mode, jlong dst, jlong capacity, jlong count, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_spectral_basis_get_vector((const mien_spectral_basis*)(intptr_t)basis, (uint64_t)mode, (double*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1spectral_1basis_1get_1mass(JNIEnv *env, jobject self, jlong basis, jlong dst, jlong capacity, jlong count, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_spectral_basis_get_mass((const mien_spectral_basis*)(intptr_t)basis, (double*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1spectral_1basis_1get_1mean(JNIEnv *env, jobject self, jlong basis, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_spectral_basis_get_mean((const mien_spectral_basis*)(intptr_t)basis, (mien_mesh**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1spectral_1project(JNIEnv *env, jobject self, jlong session, jlong basis, jlong face, jlong mode_count, jlong dst, jlong capacity, jlong count, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_spectral_project((mien_session*)(intptr_t)session, (const mien_spectral_basis*)(intptr_t)basis, (const mien_mesh*)(intptr_t)face, (uint64_t)mode_count, (double*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1spectral_1synthesize(JNIEnv *env, jobject self, jlong session, jlong basis, jlong coefficients, jlong row_count, jlong first_mode, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_spectral_synthesize((mien_session*)(intptr_t)session, (const mien_spectral_basis*)(intptr_t)basis, (const double*)(intptr_t)coefficients, (uint64_t)row_count, (uint64_t)first_mode, (mien_mesh**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
 JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1metric(JNIEnv *env, jobject self, jlong session, jint metric, jlong reference, jlong other, jlong value, jlong error) {
     (void)env;
     (void)self;
     return (jint)mien_metric((mien_session*)(intptr_t)session, (int32_t)metric, (const mien_mesh*)(intptr_t)reference, (const mien_mesh*)(intptr_t)other, (double*)(intptr_t)value, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1metric_1field(JNIEnv *env, jobject self, jlong session, jint metric, jlong reference, jlong other, jlong dst, jlong capacity, jlong count, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_metric_field((mien_session*)(intptr_t)session, (int32_t)metric, (const mien_mesh*)(intptr_t)reference, (const mien_mesh*)(intptr_t)other, (double*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1metric_1roughness(JNIEnv *env, jobject self, jlong session, jlong mesh, jlong dst, jlong capacity, jlong count, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_metric_roughness((mien_session*)(intptr_t)session, (const mien_mesh*)(intptr_t)mesh, (double*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
 }
 
 JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1transfer_1expression(JNIEnv *env, jobject self, jlong session, jlong source_neutral, jlong source_expression, jlong target_neutral, jlong out, jlong error) {
@@ -1550,6 +1610,18 @@ JNIEXPORT void JNICALL Java_mien_RawJni_mien_1evaluation_1release(JNIEnv *env, j
     mien_evaluation_release((mien_evaluation*)(intptr_t)evaluation);
 }
 
+JNIEXPORT void JNICALL Java_mien_RawJni_mien_1geodesic_1options_1init(JNIEnv *env, jobject self, jlong options, jlong struct_size) {
+    (void)env;
+    (void)self;
+    mien_geodesic_options_init((mien_geodesic_options*)(intptr_t)options, (size_t)struct_size);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1measure_1geodesic(JNIEnv *env, jobject self, jlong session, jlong mesh, jlong sources, jlong source_count, jlong options, jlong dst, jlong capacity, jlong count, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_measure_geodesic((mien_session*)(intptr_t)session, (const mien_mesh*)(intptr_t)mesh, (const uint32_t*)(intptr_t)sources, (uint64_t)source_count, (const mien_geodesic_options*)(intptr_t)options, (double*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
+}
+
 JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1hierarchy_1build_1quadric(JNIEnv *env, jobject self, jlong session, jlong mesh, jint level_count, jdouble factor, jlong out, jlong error) {
     (void)env;
     (void)self;
@@ -1590,6 +1662,12 @@ JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1hierarchy_1apply(JNIEnv *env, jobj
     (void)env;
     (void)self;
     return (jint)mien_hierarchy_apply((const mien_hierarchy*)(intptr_t)hierarchy, (uint32_t)level, (int32_t)direction, (const double*)(intptr_t)values, (uint64_t)row_count, (uint64_t)channel_count, (double*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1hierarchy_1get_1map(JNIEnv *env, jobject self, jlong hierarchy, jint level, jint direction, jlong rows, jlong columns, jlong values, jlong capacity, jlong count, jlong row_count, jlong column_count, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_hierarchy_get_map((const mien_hierarchy*)(intptr_t)hierarchy, (uint32_t)level, (int32_t)direction, (uint32_t*)(intptr_t)rows, (uint32_t*)(intptr_t)columns, (double*)(intptr_t)values, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (uint64_t*)(intptr_t)row_count, (uint64_t*)(intptr_t)column_count, (mien_error*)(intptr_t)error);
 }
 
 JNIEXPORT void JNICALL Java_mien_RawJni_mien_1hierarchy_1retain(JNIEnv *env, jobject self, jlong hierarchy) {
@@ -1638,6 +1716,30 @@ JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1mesh_1check_1same_1unit(JNIEnv *en
     (void)env;
     (void)self;
     return (jint)mien_mesh_check_same_unit((const mien_mesh*)(intptr_t)first, (const mien_mesh*)(intptr_t)second, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT void JNICALL Java_mien_RawJni_mien_1model_1fit_1options_1init(JNIEnv *env, jobject self, jlong options, jlong struct_size) {
+    (void)env;
+    (void)self;
+    mien_model_fit_options_init((mien_model_fit_options*)(intptr_t)options, (size_t)struct_size);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1model_1fit(JNIEnv *env, jobject self, jlong session, jlong model, jlong target, jlong options, jlong dst, jlong capacity, jlong count, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_model_fit((mien_session*)(intptr_t)session, (const mien_model*)(intptr_t)model, (const mien_mesh*)(intptr_t)target, (const mien_model_fit_options*)(intptr_t)options, (double*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1model_1synthesize(JNIEnv *env, jobject self, jlong session, jlong model, jlong coefficients, jlong coefficient_count, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_model_synthesize((mien_session*)(intptr_t)session, (const mien_model*)(intptr_t)model, (const double*)(intptr_t)coefficients, (uint64_t)coefficient_count, (mien_mesh**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1registration_1get_1coefficients(JNIEnv *env, jobject self, jlong session, jlong registration, jlong model, jdouble ridge_mm2, jlong dst, jlong capacity, jlong count, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_registration_get_coefficients((mien_session*)(intptr_t)session, (const mien_registration*)(intptr_t)registration, (const mien_model*)(intptr_t)model, (double)ridge_mm2, (double*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
 }
 
 JNIEXPORT void JNICALL Java_mien_RawJni_mien_1network_1evaluation_1options_1init(JNIEnv *env, jobject self, jlong options, jlong struct_size) {

@@ -164,6 +164,37 @@ MIEN_API mien_status MIEN_CALL mien_hierarchy_apply(const mien_hierarchy* hierar
                                                     mien_error* error);
 
 /**
+ * A map as a sparse matrix: its entries by rows, ascending, each row adding up to one. With all
+ * arrays null and capacity 0: the counts only.
+ *
+ * @param hierarchy    [in] not null.
+ * @param level        [in] 1 to level_count - 1: the coarser level of the map.
+ * @param direction    [in] MIEN_MAP_DOWN or MIEN_MAP_UP.
+ * @param rows         [out] room for capacity numbers of vertices that the map ends at, or null.
+ * @param columns      [out] room for capacity numbers of vertices that it starts from, or null.
+ * @param values       [out] room for capacity float64, or null.
+ * @param capacity     [in] entries that each given array holds.
+ * @param count        [out] may be null; entries of the map.
+ * @param row_count    [out] may be null; vertices that the map ends at.
+ * @param column_count [out] may be null; vertices that it starts from.
+ * @param error        [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (direction),
+ * MIEN_E_BUFFER_TOO_SMALL (nothing but the counts written)
+ * @owner  nothing
+ * @thread thread-safe
+ * @cancel no
+ * @cost   O(entries)
+ * @since  0.2
+ * @source kosk-2024 3.3.2 to 3.3.4
+ */
+MIEN_API mien_status MIEN_CALL mien_hierarchy_get_map(const mien_hierarchy* hierarchy,
+                                                      uint32_t level, int32_t direction,
+                                                      uint32_t* rows, uint32_t* columns,
+                                                      double* values, uint64_t capacity,
+                                                      uint64_t* count, uint64_t* row_count,
+                                                      uint64_t* column_count, mien_error* error);
+
+/**
  * Adds a reference: each retain needs a release of its own.
  *
  * @param hierarchy [in] may be null.

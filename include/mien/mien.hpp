@@ -12,6 +12,7 @@
 #include "detail/measure.hpp"
 #include "detail/mesh_tools.hpp"
 #include "detail/model.hpp"
+#include "detail/model_fit.hpp"
 #include "detail/network.hpp"
 #include "detail/registration.hpp"
 #include "detail/score.hpp"

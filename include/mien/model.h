@@ -322,7 +322,7 @@ MIEN_API mien_status MIEN_CALL mien_model_condition(mien_session* session, const
                                                     uint64_t observation_count, mien_model** out,
                                                     mien_error* error);
 
-/** A finished search for a kernel's length scale. Immutable. */
+/** A finished search for a kernel's settings. Immutable. */
 typedef struct mien_tuning mien_tuning;
 
 /** Initialise with mien_tune_options_init(). */
@@ -341,7 +341,13 @@ typedef struct mien_tune_options {
     int32_t max_subjects;      /**< of the dataset's order; 0 (default): all */
     mien_progress_fn progress; /**< may be null */
     void* progress_user;
-    mien_cancel* cancel; /**< may be null */
+    mien_cancel* cancel;         /**< may be null */
+    const double* scales_mm;     /**< scale_count scales to try with each sigma, each > 0; null:
+                                    scale_mm     alone */
+    uint64_t scale_count;        /**< sigmas x scales x levels: at most 10000 */
+    const int32_t* level_counts; /**< level_count numbers of levels to try with each of those, each
+                                    1 to 12; null: `levels` alone */
+    uint64_t level_count;        /**< at most 12 */
 } mien_tune_options;
 
 /**
@@ -360,7 +366,8 @@ typedef struct mien_tune_options {
 MIEN_API void MIEN_CALL mien_tune_options_init(mien_tune_options* options, size_t struct_size);
 
 /**
- * Fits faces of known correspondence with a kernel of each length scale and reports what is left.
+ * Fits faces of known correspondence with a kernel of each length scale, and of each scale and
+ * number of levels that is asked for, and reports what is left.
  *
  * @param session       [in] not null.
  * @param template_mesh [in] not null; #V x 3, mm.
@@ -375,7 +382,7 @@ MIEN_API void MIEN_CALL mien_tune_options_init(mien_tune_options* options, size_
  * @owner  the caller releases *out with mien_tuning_release()
  * @thread externally synchronized by session
  * @cancel yes
- * @cost   geodesics or eigenpairs once, then per sigma O(#V m^2 + m^3) for m control points
+ * @cost   geodesics or eigenpairs once, then per combination O(#V m^2 + m^3) for m control points
  * @since  0.1
  * @source jousse-2022 2.6.1, (2.38)-(2.39)
  */
@@ -385,8 +392,9 @@ MIEN_API mien_status MIEN_CALL mien_model_tune(mien_session* session,
                                                mien_error* error);
 
 /**
- * Residual against sigma as JSON text by the two-call protocol: best_sigma_mm and, per sigma, mean,
- * deviation and every face's residual norm in mm.
+ * Residuals as JSON text by the two-call protocol: best_sigma_mm, best_scale_mm, best_levels and,
+ * per combination, its sigma, scale and levels, and mean, deviation and every face's residual norm
+ * in mm.
  *
  * @param tuning   [in] not null.
  * @param dst      [out] room for capacity bytes, or null.

@@ -286,6 +286,119 @@ MIEN_API mien_status MIEN_CALL mien_spectral_mix(mien_session* session,
                                                  const double* weights, mien_mesh** out,
                                                  mien_error* error);
 
+/**
+ * Copies one eigenvector, U's column: a value per vertex, orthonormal in the mass matrix, so 1/mm
+ * (plain without mass). With dst null and capacity 0: the count only.
+ *
+ * @param basis    [in] not null.
+ * @param mode     [in] 0 to the basis' modes - 1.
+ * @param dst      [out] room for capacity float64, or null.
+ * @param capacity [in] values that dst holds.
+ * @param count    [out] may be null; #V.
+ * @param error    [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (mode), MIEN_E_BUFFER_TOO_SMALL (dst
+ * untouched, count written), MIEN_E_NO_MEMORY
+ * @owner  nothing
+ * @thread thread-safe
+ * @cancel no
+ * @cost   O(#V)
+ * @since  0.2
+ * @source kosk-2024 (4.2)
+ */
+MIEN_API mien_status MIEN_CALL mien_spectral_basis_get_vector(const mien_spectral_basis* basis,
+                                                              uint64_t mode, double* dst,
+                                                              uint64_t capacity, uint64_t* count,
+                                                              mien_error* error);
+
+/**
+ * Copies the diagonal of the mass matrix: mm^2 per vertex, ones without mass. With dst null and
+ * capacity 0: the count only.
+ *
+ * @param basis    [in] not null.
+ * @param dst      [out] room for capacity float64, or null.
+ * @param capacity [in] values that dst holds.
+ * @param count    [out] may be null; #V.
+ * @param error    [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_BUFFER_TOO_SMALL (dst untouched,
+ * count written)
+ * @owner  nothing
+ * @thread thread-safe
+ * @cancel no
+ * @cost   O(#V)
+ * @since  0.2
+ * @source kosk-2024 (4.2)
+ */
+MIEN_API mien_status MIEN_CALL mien_spectral_basis_get_mass(const mien_spectral_basis* basis,
+                                                            double* dst, uint64_t capacity,
+                                                            uint64_t* count, mien_error* error);
+
+/**
+ * The mean shape that the basis belongs to.
+ *
+ * @param basis [in] not null.
+ * @param out   [out] not null; the mesh, mm, or null on failure.
+ * @param error [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NO_MEMORY
+ * @owner  the caller releases *out with mien_mesh_release()
+ * @thread thread-safe
+ * @cancel no
+ * @cost   O(#V + #F)
+ * @since  0.2
+ */
+MIEN_API mien_status MIEN_CALL mien_spectral_basis_get_mean(const mien_spectral_basis* basis,
+                                                            mien_mesh** out, mien_error* error);
+
+/**
+ * Spectral coefficients of a face: U' M (face - mean), one row of x, y, z per mode, float64. With
+ * dst null and capacity 0: the count only.
+ *
+ * @param session    [in] not null.
+ * @param basis      [in] not null.
+ * @param face       [in] not null; #V vertices, mm, aligned with the mean shape.
+ * @param mode_count [in] 0 to the basis' modes: the first of them; more means all.
+ * @param dst        [out] room for capacity rows of 3, or null.
+ * @param capacity   [in] rows that dst holds.
+ * @param count      [out] may be null; the modes that were asked for, at most the basis'.
+ * @param error      [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MISMATCH (vertex count),
+ * MIEN_E_BUFFER_TOO_SMALL (dst untouched, count written), MIEN_E_NO_MEMORY
+ * @owner  nothing
+ * @thread externally synchronized by session
+ * @cancel no
+ * @cost   O(mode_count x #V)
+ * @since  0.2
+ * @source kosk-2024 (4.3), (4.10)
+ */
+MIEN_API mien_status MIEN_CALL mien_spectral_project(mien_session* session,
+                                                     const mien_spectral_basis* basis,
+                                                     const mien_mesh* face, uint64_t mode_count,
+                                                     double* dst, uint64_t capacity,
+                                                     uint64_t* count, mien_error* error);
+
+/**
+ * The face that has these spectral coefficients: mean + U c. All other modes are zero.
+ *
+ * @param session      [in] not null.
+ * @param basis        [in] not null.
+ * @param coefficients [in] row_count x 3 row-major float64, finite; null when row_count is 0.
+ * @param row_count    [in] 0 to the basis' modes - first_mode.
+ * @param first_mode   [in] the mode of the first row.
+ * @param out          [out] not null; the face, mm, or null on failure.
+ * @param error        [out] may be null; detail_index is the first row that is not finite.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (modes, not finite), MIEN_E_NO_MEMORY
+ * @owner  the caller releases *out with mien_mesh_release()
+ * @thread externally synchronized by session
+ * @cancel no
+ * @cost   O(row_count x #V)
+ * @since  0.2
+ * @source kosk-2024 (4.4)
+ */
+MIEN_API mien_status MIEN_CALL mien_spectral_synthesize(mien_session* session,
+                                                        const mien_spectral_basis* basis,
+                                                        const double* coefficients,
+                                                        uint64_t row_count, uint64_t first_mode,
+                                                        mien_mesh** out, mien_error* error);
+
 /** Distances between two faces. */
 enum {
     MIEN_METRIC_L1 = 1, /**< mm: mean of |dx| + |dy| + |dz| over the vertices */
@@ -317,6 +430,59 @@ enum {
 MIEN_API mien_status MIEN_CALL mien_metric(mien_session* session, int32_t metric,
                                            const mien_mesh* reference, const mien_mesh* other,
                                            double* value, mien_error* error);
+
+/**
+ * Where a distance comes from: one value per vertex of the reference. L1: |dx| + |dy| + |dz|; L2:
+ * distance of the two vertices; Hausdorff: of the vertex from the other surface; DAME: masked
+ * change of the dihedral angles around the vertex, rad; FMPD: how much rougher (above 0) or
+ * smoother (below 0) the other looks there, after saturation and masking. With dst null and
+ * capacity 0: the count only.
+ *
+ * @param session   [in] not null.
+ * @param metric    [in] MIEN_METRIC_...
+ * @param reference [in] not null; mm.
+ * @param other     [in] not null; mm; the reference's triangles, but for Hausdorff.
+ * @param dst       [out] room for capacity float64, or null.
+ * @param capacity  [in] values that dst holds.
+ * @param count     [out] may be null; #V of the reference.
+ * @param error     [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (metric),
+ * MIEN_E_MISMATCH (vertex count or triangles), MIEN_E_INVALID_MESH (no triangles),
+ * MIEN_E_BUFFER_TOO_SMALL (dst untouched, count written), MIEN_E_NO_MEMORY
+ * @owner  nothing
+ * @thread externally synchronized by session
+ * @cancel no
+ * @cost   O(#V), Hausdorff O(#V log #F)
+ * @since  0.2
+ * @source kosk-2024 3.3.10; Vasa & Rus 2012; Wang, Torkhani & Montanvert 2012
+ */
+MIEN_API mien_status MIEN_CALL mien_metric_field(mien_session* session, int32_t metric,
+                                                 const mien_mesh* reference, const mien_mesh* other,
+                                                 double* dst, uint64_t capacity, uint64_t* count,
+                                                 mien_error* error);
+
+/**
+ * Local roughness of one mesh, what FMPD is made of: the Laplacian of the angle defect, rad, zero
+ * at borders. With dst null and capacity 0: the count only.
+ *
+ * @param session  [in] not null.
+ * @param mesh     [in] not null; with triangles.
+ * @param dst      [out] room for capacity float64, or null.
+ * @param capacity [in] values that dst holds.
+ * @param count    [out] may be null; #V.
+ * @param error    [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (no triangles),
+ * MIEN_E_BUFFER_TOO_SMALL (dst untouched, count written), MIEN_E_NO_MEMORY
+ * @owner  nothing
+ * @thread externally synchronized by session
+ * @cancel no
+ * @cost   O(#V)
+ * @since  0.2
+ * @source Wang, Torkhani & Montanvert 2012
+ */
+MIEN_API mien_status MIEN_CALL mien_metric_roughness(mien_session* session, const mien_mesh* mesh,
+                                                     double* dst, uint64_t capacity,
+                                                     uint64_t* count, mien_error* error);
 
 #ifdef __cplusplus
 }

@@ -17,6 +17,13 @@ void check(const TuneOptions& options, const FaceDataset& faces, const TriMesh& 
     if (options.sigmas_mm.empty() || options.sigmas_mm.size() > 10000)
         fail(Status::invalid_argument, "%zu values of sigma; give 1 to 10000",
              options.sigmas_mm.size());
+    const std::size_t others = std::max<std::size_t>(1, options.scales_mm.size()) *
+                               std::max<std::size_t>(1, options.level_counts.size());
+    if (options.scales_mm.size() > 10000 || options.level_counts.size() > 12 ||
+        others * options.sigmas_mm.size() > 10000)
+        fail(Status::invalid_argument,
+             "%zu sigmas, %zu scales and %zu numbers of levels; give at most 10000 combinations",
+             options.sigmas_mm.size(), options.scales_mm.size(), options.level_counts.size());
     if (options.num_modes < 3)
         fail(Status::invalid_argument, "%lld deformation modes; a model needs at least 3",
              static_cast<long long>(options.num_modes));
@@ -30,6 +37,48 @@ void check(const TuneOptions& options, const FaceDataset& faces, const TriMesh& 
         fail(Status::mismatch, "the dataset's faces have %lld vertices, the template %lld",
              static_cast<long long>(faces.num_vertices()),
              static_cast<long long>(mesh.vertices.rows()));
+}
+
+/// One place of the grid: the kernel of this sigma, scale and number of levels, and its residuals.
+struct GridPlace {
+    double sigma_mm, scale_mm;
+    int levels;
+};
+
+std::vector<GridPlace> grid_of(const TuneOptions& options) {
+    const std::vector<int> levels =
+        options.level_counts.empty() ? std::vector<int>{options.levels} : options.level_counts;
+    const std::vector<double> scales = options.scales_mm.empty()
+                                           ? std::vector<double>{options.kernel.scale_mm}
+                                           : options.scales_mm;
+    std::vector<GridPlace> grid;
+    for (const int level : levels)
+        for (const double scale : scales)
+            for (const double sigma : options.sigmas_mm) grid.push_back({sigma, scale, level});
+    return grid;
+}
+
+TunePoint tune_point(const GridPlace& place, const TuneOptions& options, const KernelBlocks& blocks,
+                     const RankOptions& rank, const std::vector<Points>& displacements,
+                     const Context& context) {
+    KernelTerm term = options.kernel;
+    term.sigma_mm = place.sigma_mm;
+    term.scale_mm = place.scale_mm;
+    const std::vector<KernelTerm> terms = multiscale(term, place.levels);
+    check_kernels(terms);
+    const LowRankBasis basis = kernel_basis(blocks, terms, rank, Vector(), context);
+    TunePoint point;
+    point.sigma_mm = place.sigma_mm;
+    point.scale_mm = place.scale_mm;
+    point.levels = place.levels;
+    point.report = basis.report;
+    point.residuals = fit_residuals(basis.basis, displacements, options.rho, context);
+    const double count = static_cast<double>(point.residuals.size());
+    for (const double residual : point.residuals) point.residual_mean += residual / count;
+    for (const double residual : point.residuals)
+        point.residual_sd += std::pow(residual - point.residual_mean, 2);
+    point.residual_sd = count > 1 ? std::sqrt(point.residual_sd / (count - 1)) : 0.0;
+    return point;
 }
 
 }  // namespace
@@ -88,27 +137,14 @@ TuneReport tune_kernel(const TriMesh& template_mesh, const FaceDataset& faces,
     rank.num_modes = std::min(options.num_modes / 3, template_mesh.vertices.rows());
     const KernelBlocks blocks = prepare_kernel_blocks(template_mesh, {options.kernel},
                                                       rank.num_modes, 0, options.heat, context);
-    for (const double sigma : options.sigmas_mm) {
+    const std::vector<GridPlace> grid = grid_of(options);
+    for (const GridPlace& place : grid) {
         context.progress(Stage::fitting, static_cast<double>(report.points.size()) /
-                                             static_cast<double>(options.sigmas_mm.size()));
-        KernelTerm term = options.kernel;
-        term.sigma_mm = sigma;
-        const std::vector<KernelTerm> terms = multiscale(term, options.levels);
-        check_kernels(terms);
-        // The inner steps run silently: their own progress would fall back at every sigma.
+                                             static_cast<double>(grid.size()));
+        // The inner steps run silently: their own progress would fall back at every place.
         Context silent = context;
         silent.progress_function = nullptr;
-        const LowRankBasis basis = kernel_basis(blocks, terms, rank, Vector(), silent);
-        TunePoint point;
-        point.sigma_mm = sigma;
-        point.report = basis.report;
-        point.residuals = fit_residuals(basis.basis, displacements, options.rho, silent);
-        const double count = static_cast<double>(point.residuals.size());
-        for (const double residual : point.residuals) point.residual_mean += residual / count;
-        for (const double residual : point.residuals)
-            point.residual_sd += std::pow(residual - point.residual_mean, 2);
-        point.residual_sd = count > 1 ? std::sqrt(point.residual_sd / (count - 1)) : 0.0;
-        report.points.push_back(std::move(point));
+        report.points.push_back(tune_point(place, options, blocks, rank, displacements, silent));
         if (report.points.back().residual_mean < report.points[report.best].residual_mean)
             report.best = report.points.size() - 1;
     }
@@ -149,11 +185,15 @@ std::string tune_json(const TuneReport& report) {
         .field("levels", report.levels)
         .field("rho", report.rho)
         .field("faces", report.faces.size())
-        .field("best_sigma_mm", report.points[report.best].sigma_mm);
+        .field("best_sigma_mm", report.points[report.best].sigma_mm)
+        .field("best_scale_mm", report.points[report.best].scale_mm)
+        .field("best_levels", report.points[report.best].levels);
     json.key("points").begin_array();
     for (const TunePoint& point : report.points)
         json.begin_object()
             .field("sigma_mm", point.sigma_mm)
+            .field("scale_mm", point.scale_mm)
+            .field("levels", point.levels)
             .field("residual_mean_mm", point.residual_mean)
             .field("residual_sd_mm", point.residual_sd)
             .field("scalar_modes", point.report.rank)

@@ -1,6 +1,7 @@
-// The search for a kernel's length scale (2.6.1): for each sigma, fit faces whose correspondence is
-// known and look at what is left. y = face - template, alpha = argmin |y - A alpha|^2 + rho
-// |alpha|^2 (2.38)-(2.39), residual |y - A alpha|, averaged over the faces.
+// The search for a kernel's settings (2.6.1): for each sigma, and each scale and number of levels
+// that is asked for, fit faces whose correspondence is known and look at what is left. y = face -
+// template, alpha = argmin |y - A alpha|^2 + rho |alpha|^2 (2.38)-(2.39), residual |y - A alpha|,
+// averaged over the faces.
 #pragma once
 
 #include <string>
@@ -18,14 +19,17 @@ struct TuneOptions {
     KernelTerm kernel;  ///< its sigma is replaced by each of `sigmas_mm`
     int levels = 1;
     std::vector<double> sigmas_mm;
-    Index num_modes = 999;     ///< deformation modes
-    double rho = 5;            ///< >= 0
-    std::vector<Index> faces;  ///< of the dataset; empty: all
+    std::vector<double> scales_mm;  ///< each with each sigma; empty: the kernel's own alone
+    std::vector<int> level_counts;  ///< each with each of those; empty: `levels` alone
+    Index num_modes = 999;          ///< deformation modes
+    double rho = 5;                 ///< >= 0
+    std::vector<Index> faces;       ///< of the dataset; empty: all
     HeatOptions heat;
 };
 
 struct TunePoint {
-    double sigma_mm = 0;
+    double sigma_mm = 0, scale_mm = 0;
+    int levels = 1;
     double residual_mean = 0, residual_sd = 0;  ///< of |y - A alpha| over the faces, mm
     std::vector<double> residuals;              ///< per face
     LowRankReport report;
@@ -40,7 +44,8 @@ struct TuneReport {
     std::size_t best = 0;  ///< of the lowest mean; the first one on a tie
 };
 
-/// Geodesic distances and eigenpairs are computed once for all sigmas. Faces may cover only the
+/// The grid in the order levels, scales, sigmas, the last running fastest; at most 10000 points.
+/// Geodesic distances and eigenpairs are computed once for all of them. Faces may cover only the
 /// first vertices of the template. Progress stage: fitting, after geodesics and basis.
 TuneReport tune_kernel(const TriMesh& template_mesh, const FaceDataset& faces,
                        const TuneOptions& options, const Context& context);

@@ -135,4 +135,31 @@ public final class Hierarchy extends NativeObject {
             return call.readDoubles(dstAt, rows * channelCount);
         }
     }
+
+    /**
+     * A map as a sparse matrix: its entries by rows, ascending, each row adding up to one. With all arrays null
+     * and capacity 0: the counts only. C: mien_hierarchy_get_map().
+     * @param level 1 to level_count - 1: the coarser level of the map.
+     * @param direction MIEN_MAP_DOWN or MIEN_MAP_UP. See MapKind.
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (direction)
+     */
+    public HierarchyMap map(int level, int direction) {
+        try (Call call = new Call()) {
+            var hierarchyAt = call.use(this);
+            var rowCountAt = call.room(8);
+            var columnCountAt = call.room(8);
+            var countAt = call.room(8);
+            long capacity = call.firstCapacity(8);
+            Memory rowsAt;
+            Memory columnsAt;
+            Memory valuesAt;
+            do {
+                rowsAt = call.room(capacity * 4);
+                columnsAt = call.room(capacity * 4);
+                valuesAt = call.room(capacity * 8);
+            } while ((capacity = call.more(Raw.GET.mien_hierarchy_get_map(Memory.address(hierarchyAt), level, direction, Memory.address(rowsAt), Memory.address(columnsAt), Memory.address(valuesAt), capacity, Memory.address(countAt), Memory.address(rowCountAt), Memory.address(columnCountAt), call.error()), capacity, countAt)) != 0);
+            var rows = call.count(countAt);
+            return new HierarchyMap(call.readInts(rowsAt, rows), call.readInts(columnsAt, rows), call.readDoubles(valuesAt, rows), rowCountAt.bytes.getLong(0), columnCountAt.bytes.getLong(0));
+        }
+    }
 }

@@ -220,8 +220,8 @@ public final class Model extends NativeObject {
     }
 
     /**
-     * Fits faces of known correspondence with a kernel of each length scale and reports what is left. C:
-     * mien_model_tune().
+     * Fits faces of known correspondence with a kernel of each length scale, and of each scale and number of
+     * levels that is asked for, and reports what is left. C: mien_model_tune().
      * @param templateMesh #V x 3, mm.
      * @param dataset UTF-8 path of a dataset in the template's correspondence, its faces may cover only the
      * template's first vertices.
@@ -246,8 +246,8 @@ public final class Model extends NativeObject {
     }
 
     /**
-     * Fits faces of known correspondence with a kernel of each length scale and reports what is left. All else as
-     * by default.
+     * Fits faces of known correspondence with a kernel of each length scale, and of each scale and number of
+     * levels that is asked for, and reports what is left. All else as by default.
      */
     public static Tuning tune(Session session, Mesh templateMesh, String dataset, TuneOptions options) {
         return tune(session, templateMesh, dataset, options, null, null);
@@ -290,5 +290,65 @@ public final class Model extends NativeObject {
             call.check(Raw.GET.mien_model_get_zones(Memory.address(modelAt), Memory.address(outAt), call.error()));
             return call.keep(new Zones(call.pointer(outAt)));
         }
+    }
+
+    /**
+     * The coefficients that bring the template nearest to a face in its correspondence: least squares, weighted
+     * per vertex, with a ridge. C: mien_model_fit().
+     * @param target mm, in the template's frame unless options.align; the vertices of the template, or its first
+     * ones.
+     * @param options may be left out: no weights, a ridge of 1 mm^2, all modes.
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MISMATCH (vertices, weights),
+     * MIEN_E_INVALID_MESH, MIEN_E_UNSUPPORTED_OPTION, MIEN_E_NO_SOLUTION, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY
+     */
+    public double[] fit(Session session, Mesh target, ModelFitOptions options) {
+        try (Call call = new Call()) {
+            call.lock(session);
+            var sessionAt = call.use(session);
+            var modelAt = call.use(this);
+            var targetAt = call.use(target);
+            var optionsAt = call.record(options, 56, false, "options");
+            var countAt = call.room(8);
+            long capacity = call.firstCapacity(8);
+            Memory dstAt;
+            do {
+                dstAt = call.room(capacity * 8);
+            } while ((capacity = call.more(Raw.GET.mien_model_fit(Memory.address(sessionAt), Memory.address(modelAt), Memory.address(targetAt), Memory.address(optionsAt), Memory.address(dstAt), capacity, Memory.address(countAt), call.error()), capacity, countAt)) != 0);
+            var rows = call.count(countAt);
+            return call.readDoubles(dstAt, rows);
+        }
+    }
+
+    /**
+     * The coefficients that bring the template nearest to a face in its correspondence: least squares, weighted
+     * per vertex, with a ridge. All else as by default.
+     */
+    public double[] fit(Session session, Mesh target) {
+        return fit(session, target, null);
+    }
+
+    /**
+     * The face that has these coefficients: the template moved by the mean and the modes. C:
+     * mien_model_synthesize().
+     * @param coefficients coefficient_count finite values
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MISMATCH (coefficient_count),
+     * MIEN_E_NO_MEMORY
+     */
+    public Mesh synthesize(Session session, double[] coefficients) {
+        try (Call call = new Call()) {
+            call.lock(session);
+            var sessionAt = call.use(session);
+            var modelAt = call.use(this);
+            var coefficientCount = call.rows(coefficients, 1, "coefficients");
+            var coefficientsAt = call.array(coefficients);
+            var outAt = call.room(8);
+            call.check(Raw.GET.mien_model_synthesize(Memory.address(sessionAt), Memory.address(modelAt), Memory.address(coefficientsAt), coefficientCount, Memory.address(outAt), call.error()));
+            return call.keep(new Mesh(call.pointer(outAt)));
+        }
+    }
+
+    /** The face that has these coefficients: the template moved by the mean and the modes. All else as by default. */
+    public Mesh synthesize(Session session) {
+        return synthesize(session, null);
     }
 }

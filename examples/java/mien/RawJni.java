@@ -129,7 +129,14 @@ final class RawJni implements Raw {
     @Override public native int mien_spectral_assemble(long session, long basis, long low, long high, long k, long out, long error);
     @Override public native int mien_spectral_edit(long session, long basis, long face, long limits, long limitCount, long gains, long out, long error);
     @Override public native int mien_spectral_mix(long session, long basis, long first, long second, long limits, long limitCount, long weights, long out, long error);
+    @Override public native int mien_spectral_basis_get_vector(long basis, long mode, long dst, long capacity, long count, long error);
+    @Override public native int mien_spectral_basis_get_mass(long basis, long dst, long capacity, long count, long error);
+    @Override public native int mien_spectral_basis_get_mean(long basis, long out, long error);
+    @Override public native int mien_spectral_project(long session, long basis, long face, long modeCount, long dst, long capacity, long count, long error);
+    @Override public native int mien_spectral_synthesize(long session, long basis, long coefficients, long rowCount, long firstMode, long out, long error);
     @Override public native int mien_metric(long session, int metric, long reference, long other, long value, long error);
+    @Override public native int mien_metric_field(long session, int metric, long reference, long other, long dst, long capacity, long count, long error);
+    @Override public native int mien_metric_roughness(long session, long mesh, long dst, long capacity, long count, long error);
     @Override public native int mien_transfer_expression(long session, long sourceNeutral, long sourceExpression, long targetNeutral, long out, long error);
     @Override public native void mien_blendshape_options_init(long options, long structSize);
     @Override public native int mien_blendshape_model_train(long session, long datasetPath, long expression, long options, long out, long error);
@@ -186,6 +193,8 @@ final class RawJni implements Raw {
     @Override public native int mien_evaluate_neutralization(long session, long model, long datasetPath, long options, long out, long error);
     @Override public native int mien_evaluation_get_json(long evaluation, long dst, long capacity, long count, long error);
     @Override public native void mien_evaluation_release(long evaluation);
+    @Override public native void mien_geodesic_options_init(long options, long structSize);
+    @Override public native int mien_measure_geodesic(long session, long mesh, long sources, long sourceCount, long options, long dst, long capacity, long count, long error);
     @Override public native int mien_hierarchy_build_quadric(long session, long mesh, int levelCount, double factor, long out, long error);
     @Override public native int mien_hierarchy_build_connectivity(long session, long mesh, int levelCount, int stride, int radius, long out, long error);
     @Override public native int mien_hierarchy_load(long session, long path, long out, long error);
@@ -193,6 +202,7 @@ final class RawJni implements Raw {
     @Override public native int mien_hierarchy_get_level_count(long hierarchy, long levelCount, long error);
     @Override public native int mien_hierarchy_get_level(long hierarchy, int level, long out, long error);
     @Override public native int mien_hierarchy_apply(long hierarchy, int level, int direction, long values, long rowCount, long channelCount, long dst, long capacity, long count, long error);
+    @Override public native int mien_hierarchy_get_map(long hierarchy, int level, int direction, long rows, long columns, long values, long capacity, long count, long rowCount, long columnCount, long error);
     @Override public native void mien_hierarchy_retain(long hierarchy);
     @Override public native void mien_hierarchy_release(long hierarchy);
     @Override public native int mien_mesh_inspect(long session, long mesh, long dst, long capacity, long count, long error);
@@ -201,6 +211,10 @@ final class RawJni implements Raw {
     @Override public native int mien_mesh_turn_over(long session, long mesh, long out, long error);
     @Override public native int mien_mesh_decimate(long session, long mesh, long vertexCount, long out, long error);
     @Override public native int mien_mesh_check_same_unit(long first, long second, long error);
+    @Override public native void mien_model_fit_options_init(long options, long structSize);
+    @Override public native int mien_model_fit(long session, long model, long target, long options, long dst, long capacity, long count, long error);
+    @Override public native int mien_model_synthesize(long session, long model, long coefficients, long coefficientCount, long out, long error);
+    @Override public native int mien_registration_get_coefficients(long session, long registration, long model, double ridgeMm2, long dst, long capacity, long count, long error);
     @Override public native void mien_network_evaluation_options_init(long options, long structSize);
     @Override public native void mien_network_options_init(long options, long structSize);
     @Override public native int mien_network_load(long session, long path, long out, long error);

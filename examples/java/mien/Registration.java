@@ -205,4 +205,30 @@ public final class Registration extends NativeObject {
     public static Registration create(Session session, Mesh mesh, int quality) {
         return create(session, mesh, quality, null, null, null);
     }
+
+    /**
+     * The coefficients of a registered face: its fitted template, brought back into the model's frame by the
+     * registration's own motion and fitted as by mien_model_fit(). What the fit took from the model comes back;
+     * what it moved beyond the model's span, to close the last gap to the scan, is left out. C:
+     * mien_registration_get_coefficients().
+     * @param ridgeMm2 mm^2, &gt;= 0; 0: the nearest face of the model's span.
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MISMATCH (of another model),
+     * MIEN_E_NO_SOLUTION, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY
+     */
+    public double[] coefficients(Session session, Model model, double ridgeMm2) {
+        try (Call call = new Call()) {
+            call.lock(session);
+            var sessionAt = call.use(session);
+            var registrationAt = call.use(this);
+            var modelAt = call.use(model);
+            var countAt = call.room(8);
+            long capacity = call.firstCapacity(8);
+            Memory dstAt;
+            do {
+                dstAt = call.room(capacity * 8);
+            } while ((capacity = call.more(Raw.GET.mien_registration_get_coefficients(Memory.address(sessionAt), Memory.address(registrationAt), Memory.address(modelAt), ridgeMm2, Memory.address(dstAt), capacity, Memory.address(countAt), call.error()), capacity, countAt)) != 0);
+            var rows = call.count(countAt);
+            return call.readDoubles(dstAt, rows);
+        }
+    }
 }

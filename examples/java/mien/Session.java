@@ -576,6 +576,59 @@ public final class Session extends NativeObject {
     }
 
     /**
+     * Spectral coefficients of a face: U' M (face - mean), one row of x, y, z per mode, float64. C:
+     * mien_spectral_project().
+     * @param face #V vertices, mm, aligned with the mean shape.
+     * @param modeCount 0 to the basis' modes: the first of them; more means all.
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MISMATCH (vertex count),
+     * MIEN_E_NO_MEMORY
+     */
+    public double[] spectralProject(SpectralBasis basis, Mesh face, long modeCount) {
+        try (Call call = new Call()) {
+            call.lock(this);
+            var sessionAt = call.use(this);
+            var basisAt = call.use(basis);
+            var faceAt = call.use(face);
+            var countAt = call.room(8);
+            long capacity = call.firstCapacity(3 * 8);
+            Memory dstAt;
+            do {
+                dstAt = call.room(capacity * 3 * 8);
+            } while ((capacity = call.more(Raw.GET.mien_spectral_project(Memory.address(sessionAt), Memory.address(basisAt), Memory.address(faceAt), modeCount, Memory.address(dstAt), capacity, Memory.address(countAt), call.error()), capacity, countAt)) != 0);
+            var rows = call.count(countAt);
+            return call.readDoubles(dstAt, rows * 3);
+        }
+    }
+
+    /**
+     * The face that has these spectral coefficients: mean + U c. All other modes are zero. C:
+     * mien_spectral_synthesize().
+     * @param firstMode the mode of the first row.
+     * @param coefficients row_count x 3 row-major float64, finite
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (modes, not finite), MIEN_E_NO_MEMORY
+     */
+    public Mesh spectralSynthesize(SpectralBasis basis, long firstMode, double[] coefficients) {
+        try (Call call = new Call()) {
+            call.lock(this);
+            var sessionAt = call.use(this);
+            var basisAt = call.use(basis);
+            var rowCount = call.rows(coefficients, 3, "coefficients");
+            var coefficientsAt = call.array(coefficients);
+            var outAt = call.room(8);
+            call.check(Raw.GET.mien_spectral_synthesize(Memory.address(sessionAt), Memory.address(basisAt), Memory.address(coefficientsAt), rowCount, firstMode, Memory.address(outAt), call.error()));
+            return call.keep(new Mesh(call.pointer(outAt)));
+        }
+    }
+
+    /**
+     * The face that has these spectral coefficients: mean + U c. All other modes are zero. All else as by
+     * default.
+     */
+    public Mesh spectralSynthesize(SpectralBasis basis, long firstMode) {
+        return spectralSynthesize(basis, firstMode, null);
+    }
+
+    /**
      * A geometric or perceptual distance. L1, L2 and DAME need correspondence, the others do not. C:
      * mien_metric().
      * @param metric MIEN_METRIC_... See Metric.
@@ -593,6 +646,57 @@ public final class Session extends NativeObject {
             var valueAt = call.room(8);
             call.check(Raw.GET.mien_metric(Memory.address(sessionAt), metric, Memory.address(referenceAt), Memory.address(otherAt), Memory.address(valueAt), call.error()));
             return valueAt.bytes.getDouble(0);
+        }
+    }
+
+    /**
+     * Where a distance comes from: one value per vertex of the reference. L1, L2: distance of the two vertices;
+     * Hausdorff: of the vertex from the other surface; DAME: masked change of the dihedral angles around the
+     * vertex, rad; FMPD: how much rougher (above 0) or smoother (below 0) the other looks there, after saturation
+     * and masking. C: mien_metric_field().
+     * @param metric MIEN_METRIC_... See Metric.
+     * @param reference mm.
+     * @param other mm; the reference's triangles, but for Hausdorff.
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (metric),
+     * MIEN_E_MISMATCH (vertex count or triangles), MIEN_E_INVALID_MESH (no triangles), MIEN_E_NO_MEMORY
+     */
+    public double[] metricField(int metric, Mesh reference, Mesh other) {
+        try (Call call = new Call()) {
+            call.lock(this);
+            var sessionAt = call.use(this);
+            var referenceAt = call.use(reference);
+            var otherAt = call.use(other);
+            var countAt = call.room(8);
+            long capacity = call.firstCapacity(8);
+            Memory dstAt;
+            do {
+                dstAt = call.room(capacity * 8);
+            } while ((capacity = call.more(Raw.GET.mien_metric_field(Memory.address(sessionAt), metric, Memory.address(referenceAt), Memory.address(otherAt), Memory.address(dstAt), capacity, Memory.address(countAt), call.error()), capacity, countAt)) != 0);
+            var rows = call.count(countAt);
+            return call.readDoubles(dstAt, rows);
+        }
+    }
+
+    /**
+     * Local roughness of one mesh, what FMPD is made of: the Laplacian of the angle defect, rad, zero at borders.
+     * C: mien_metric_roughness().
+     * @param mesh with triangles.
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (no triangles),
+     * MIEN_E_NO_MEMORY
+     */
+    public double[] metricRoughness(Mesh mesh) {
+        try (Call call = new Call()) {
+            call.lock(this);
+            var sessionAt = call.use(this);
+            var meshAt = call.use(mesh);
+            var countAt = call.room(8);
+            long capacity = call.firstCapacity(8);
+            Memory dstAt;
+            do {
+                dstAt = call.room(capacity * 8);
+            } while ((capacity = call.more(Raw.GET.mien_metric_roughness(Memory.address(sessionAt), Memory.address(meshAt), Memory.address(dstAt), capacity, Memory.address(countAt), call.error()), capacity, countAt)) != 0);
+            var rows = call.count(countAt);
+            return call.readDoubles(dstAt, rows);
         }
     }
 
@@ -872,6 +976,56 @@ public final class Session extends NativeObject {
     /** Neutralizes every face of a dataset whose subject has a neutral face, and compares. All else as by default. */
     public Evaluation evaluateNeutralization(ExpressionModel model, String datasetPath, EvaluateOptions options) {
         return evaluateNeutralization(model, datasetPath, options, null, null);
+    }
+
+    /**
+     * Distance of every vertex from the nearest of some vertices, along the surface, by the heat method; a
+     * model's template is a mesh too (mien_model_mesh()). Holes are gone around, edges are not followed. C:
+     * mien_measure_geodesic().
+     * @param mesh #V x 3, mm, with triangles.
+     * @param sources source_count vertex numbers.
+     * @param options may be left out: heat stays inside, a time of 4 mean edges squared.
+     * @param progress may be null; returns false to cancel
+     * @param cancel may be null; interrupting the thread cancels as well
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH,
+     * MIEN_E_UNSUPPORTED_OPTION, MIEN_E_NO_SOLUTION, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED
+     */
+    public double[] measureGeodesic(Mesh mesh, int[] sources, GeodesicOptions options, Progress progress, Cancel cancel) {
+        try (Call call = new Call()) {
+            call.required(sources, "sources");
+            call.lock(this);
+            var sessionAt = call.use(this);
+            var meshAt = call.use(mesh);
+            var sourceCount = call.rows(sources, 1, "sources");
+            var sourcesAt = call.array(sources);
+            var optionsAt = (options == null ? new GeodesicOptions() : options).write(call, progress, cancel);
+            var countAt = call.room(8);
+            long capacity = call.firstCapacity(8);
+            Memory dstAt;
+            do {
+                dstAt = call.room(capacity * 8);
+            } while ((capacity = call.more(Raw.GET.mien_measure_geodesic(Memory.address(sessionAt), Memory.address(meshAt), Memory.address(sourcesAt), sourceCount, Memory.address(optionsAt), Memory.address(dstAt), capacity, Memory.address(countAt), call.error()), capacity, countAt)) != 0);
+            var rows = call.count(countAt);
+            return call.readDoubles(dstAt, rows);
+        }
+    }
+
+    /**
+     * Distance of every vertex from the nearest of some vertices, along the surface, by the heat method; a
+     * model's template is a mesh too (mien_model_mesh()). Holes are gone around, edges are not followed. All else
+     * as by default.
+     */
+    public double[] measureGeodesic(Mesh mesh, int[] sources) {
+        return measureGeodesic(mesh, sources, null, null, null);
+    }
+
+    /**
+     * Distance of every vertex from the nearest of some vertices, along the surface, by the heat method; a
+     * model's template is a mesh too (mien_model_mesh()). Holes are gone around, edges are not followed. All else
+     * as by default.
+     */
+    public double[] measureGeodesic(Mesh mesh, int[] sources, GeodesicOptions options) {
+        return measureGeodesic(mesh, sources, options, null, null);
     }
 
     /**

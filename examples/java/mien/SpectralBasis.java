@@ -115,4 +115,56 @@ public final class SpectralBasis extends NativeObject {
             return call.readDoubles(dstAt, rows);
         }
     }
+
+    /**
+     * Copies one eigenvector, U's column: a value per vertex, orthonormal in the mass matrix, so 1/mm (plain
+     * without mass). C: mien_spectral_basis_get_vector().
+     * @param mode 0 to the basis' modes - 1.
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (mode), MIEN_E_NO_MEMORY
+     */
+    public double[] vector(long mode) {
+        try (Call call = new Call()) {
+            var basisAt = call.use(this);
+            var countAt = call.room(8);
+            long capacity = call.firstCapacity(8);
+            Memory dstAt;
+            do {
+                dstAt = call.room(capacity * 8);
+            } while ((capacity = call.more(Raw.GET.mien_spectral_basis_get_vector(Memory.address(basisAt), mode, Memory.address(dstAt), capacity, Memory.address(countAt), call.error()), capacity, countAt)) != 0);
+            var rows = call.count(countAt);
+            return call.readDoubles(dstAt, rows);
+        }
+    }
+
+    /**
+     * Copies the diagonal of the mass matrix: mm^2 per vertex, ones without mass. C:
+     * mien_spectral_basis_get_mass().
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT
+     */
+    public double[] mass() {
+        try (Call call = new Call()) {
+            var basisAt = call.use(this);
+            var countAt = call.room(8);
+            long capacity = call.firstCapacity(8);
+            Memory dstAt;
+            do {
+                dstAt = call.room(capacity * 8);
+            } while ((capacity = call.more(Raw.GET.mien_spectral_basis_get_mass(Memory.address(basisAt), Memory.address(dstAt), capacity, Memory.address(countAt), call.error()), capacity, countAt)) != 0);
+            var rows = call.count(countAt);
+            return call.readDoubles(dstAt, rows);
+        }
+    }
+
+    /**
+     * The mean shape that the basis belongs to. C: mien_spectral_basis_get_mean().
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NO_MEMORY
+     */
+    public Mesh mean() {
+        try (Call call = new Call()) {
+            var basisAt = call.use(this);
+            var outAt = call.room(8);
+            call.check(Raw.GET.mien_spectral_basis_get_mean(Memory.address(basisAt), Memory.address(outAt), call.error()));
+            return call.keep(new Mesh(call.pointer(outAt)));
+        }
+    }
 }

@@ -12,13 +12,15 @@ public final class TuneOptions implements Record_ {
     private int numModes;
     private java.util.List<String> expressions;
     private int maxSubjects;
+    private double[] scalesMm;
+    private int[] levelCounts;
 
     /** With the library's defaults. */
     public TuneOptions() {
         try (Call call = new Call()) {
-            Memory at = call.room(96);
+            Memory at = call.room(128);
             int offset = 0;
-            Raw.GET.mien_tune_options_init(at.address, 96);
+            Raw.GET.mien_tune_options_init(at.address, 128);
             kernel = at.bytes.getInt(offset + 4);
             scaleMm = at.bytes.getDouble(offset + 24);
             nu = at.bytes.getDouble(offset + 32);
@@ -92,9 +94,23 @@ public final class TuneOptions implements Record_ {
     }
     public int maxSubjects() { return maxSubjects; }
 
+    /** scale_count scales to try with each sigma, each &gt; 0; null: scale_mm alone */
+    public TuneOptions scalesMm(double[] value) {
+        scalesMm = value;
+        return this;
+    }
+    public double[] scalesMm() { return scalesMm; }
+
+    /** level_count numbers of levels to try with each of those, each 1 to 12; null: `levels` alone */
+    public TuneOptions levelCounts(int[] value) {
+        levelCounts = value;
+        return this;
+    }
+    public int[] levelCounts() { return levelCounts; }
+
     @Override
     public void fill(Call call, Memory at, int offset) {
-        Raw.GET.mien_tune_options_init(at.address + offset, 96);
+        Raw.GET.mien_tune_options_init(at.address + offset, 128);
         at.bytes.putInt(offset + 4, kernel);
         at.bytes.putDouble(offset + 24, scaleMm);
         at.bytes.putDouble(offset + 32, nu);
@@ -107,10 +123,14 @@ public final class TuneOptions implements Record_ {
         at.bytes.putLong(offset + 16, call.rows(sigmasMm, 1, "sigmas_mm"));
         at.bytes.putLong(offset + 56, Memory.address(call.texts(expressions)));
         at.bytes.putInt(offset + 64, (int) call.rows(expressions, 1, "expressions"));
+        at.bytes.putLong(offset + 96, Memory.address(call.array(scalesMm)));
+        at.bytes.putLong(offset + 104, call.rows(scalesMm, 1, "scales_mm"));
+        at.bytes.putLong(offset + 112, Memory.address(call.array(levelCounts)));
+        at.bytes.putLong(offset + 120, call.rows(levelCounts, 1, "level_counts"));
     }
 
     Memory write(Call call, Progress progress, Cancel cancel) {
-        Memory at = call.room(96);
+        Memory at = call.room(128);
         fill(call, at, 0);
         at.bytes.putLong(72, call.progressFunction(progress));
         at.bytes.putLong(80, call.progressUser());

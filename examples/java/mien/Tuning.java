@@ -1,13 +1,14 @@
 package mien;
 
 // Written by abi/generate_bindings.py.
-/** A finished search for a kernel's length scale. Immutable. */
+/** A finished search for a kernel's settings. Immutable. */
 public final class Tuning extends NativeObject {
     Tuning(long owned) { super(owned, Raw.GET::mien_tuning_release); }
 
     /**
-     * Residual against sigma as JSON text by the two-call protocol: best_sigma_mm and, per sigma, mean, deviation
-     * and every face's residual norm in mm. C: mien_tuning_get_json().
+     * Residuals as JSON text by the two-call protocol: best_sigma_mm, best_scale_mm, best_levels and, per
+     * combination, its sigma, scale and levels, and mean, deviation and every face's residual norm in mm. C:
+     * mien_tuning_get_json().
      * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT
      */
     public String json() {

@@ -169,6 +169,10 @@ class TuneOptions(ctypes.Structure):
         ("progress", ProgressFn),
         ("progress_user", ctypes.c_void_p),
         ("cancel", ctypes.c_void_p),
+        ("scales_mm", ctypes.c_void_p),
+        ("scale_count", ctypes.c_uint64),
+        ("level_counts", ctypes.c_void_p),
+        ("level_count", ctypes.c_uint64),
     ]
 
 
@@ -452,6 +456,28 @@ class EvaluateOptions(ctypes.Structure):
         ("cancel", ctypes.c_void_p),
         ("volume_zones", ctypes.c_void_p),
         ("volume_zone_count", ctypes.c_uint64),
+    ]
+
+
+class GeodesicOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("heat_boundary", ctypes.c_int32),
+        ("heat_time_factor", ctypes.c_double),
+        ("progress", ProgressFn),
+        ("progress_user", ctypes.c_void_p),
+        ("cancel", ctypes.c_void_p),
+    ]
+
+
+class ModelFitOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("align", ctypes.c_int32),
+        ("ridge_mm2", ctypes.c_double),
+        ("weights", ArrayView),
+        ("scalar_modes", ctypes.c_int32),
+        ("vector_modes", ctypes.c_int32),
     ]
 
 
@@ -779,6 +805,10 @@ STRUCTS = {
         ("progress", "callback", "mien_progress_fn", (), ""),
         ("progress_user", "user", "void", (), ""),
         ("cancel", "handle", "mien_cancel", (), ""),
+        ("scales_mm", "array", "double", ('scale_count',), ""),
+        ("scale_count", "count", "uint64_t", (), ""),
+        ("level_counts", "array", "int32_t", ('level_count',), ""),
+        ("level_count", "count", "uint64_t", (), ""),
     ),
     "mien_scan_landmark": (
         ("name", "text", "char", (), ""),
@@ -1008,6 +1038,22 @@ STRUCTS = {
         ("cancel", "handle", "mien_cancel", (), ""),
         ("volume_zones", "structs", "mien_zone", ('volume_zone_count',), ""),
         ("volume_zone_count", "count", "uint64_t", (), ""),
+    ),
+    "mien_geodesic_options": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("heat_boundary", "scalar", "int32_t", (), "HEAT"),
+        ("heat_time_factor", "scalar", "double", (), ""),
+        ("progress", "callback", "mien_progress_fn", (), ""),
+        ("progress_user", "user", "void", (), ""),
+        ("cancel", "handle", "mien_cancel", (), ""),
+    ),
+    "mien_model_fit_options": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("align", "scalar", "int32_t", (), ""),
+        ("ridge_mm2", "scalar", "double", (), ""),
+        ("weights", "matrix", "mien_array_view", (1,), ""),
+        ("scalar_modes", "scalar", "int32_t", (), ""),
+        ("vector_modes", "scalar", "int32_t", (), ""),
     ),
     "mien_network_options": (
         ("struct_size", "struct_size", "uint32_t", (), ""),
@@ -1900,12 +1946,69 @@ FUNCTIONS = {
         ("out", "handle_out", "mien_mesh", (), False, ""),
         ("error", "error", "mien_error", (), True, ""),
     )),
+    "mien_spectral_basis_get_vector": (ctypes.c_int32, (), (
+        ("basis", "handle", "mien_spectral_basis", (), False, ""),
+        ("mode", "scalar", "uint64_t", (), False, ""),
+        ("dst", "array_out", "double", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_spectral_basis_get_mass": (ctypes.c_int32, (), (
+        ("basis", "handle", "mien_spectral_basis", (), False, ""),
+        ("dst", "array_out", "double", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_spectral_basis_get_mean": (ctypes.c_int32, (), (
+        ("basis", "handle", "mien_spectral_basis", (), False, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_spectral_project": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("basis", "handle", "mien_spectral_basis", (), False, ""),
+        ("face", "handle", "mien_mesh", (), False, ""),
+        ("mode_count", "scalar", "uint64_t", (), False, ""),
+        ("dst", "array_out", "double", ('capacity', 3), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_spectral_synthesize": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("basis", "handle", "mien_spectral_basis", (), False, ""),
+        ("coefficients", "array", "double", ('row_count', 3), True, ""),
+        ("row_count", "count", "uint64_t", (), False, ""),
+        ("first_mode", "scalar", "uint64_t", (), False, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
     "mien_metric": (ctypes.c_int32, ('session',), (
         ("session", "handle", "mien_session", (), False, ""),
         ("metric", "scalar", "int32_t", (), False, "METRIC"),
         ("reference", "handle", "mien_mesh", (), False, ""),
         ("other", "handle", "mien_mesh", (), False, ""),
         ("value", "scalar_out", "double", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_metric_field": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("metric", "scalar", "int32_t", (), False, "METRIC"),
+        ("reference", "handle", "mien_mesh", (), False, ""),
+        ("other", "handle", "mien_mesh", (), False, ""),
+        ("dst", "array_out", "double", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_metric_roughness": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("mesh", "handle", "mien_mesh", (), False, ""),
+        ("dst", "array_out", "double", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
         ("error", "error", "mien_error", (), True, ""),
     )),
     "mien_transfer_expression": (ctypes.c_int32, ('session',), (
@@ -2266,6 +2369,21 @@ FUNCTIONS = {
     "mien_evaluation_release": (None, (), (
         ("evaluation", "handle", "mien_evaluation", (), True, ""),
     )),
+    "mien_geodesic_options_init": (None, (), (
+        ("options", "struct_out", "mien_geodesic_options", (), False, ""),
+        ("struct_size", "struct_size", "size_t", (), False, ""),
+    )),
+    "mien_measure_geodesic": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("mesh", "handle", "mien_mesh", (), False, ""),
+        ("sources", "array", "uint32_t", ('source_count',), False, ""),
+        ("source_count", "count", "uint64_t", (), False, ""),
+        ("options", "struct", "mien_geodesic_options", (), True, ""),
+        ("dst", "array_out", "double", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
     "mien_hierarchy_build_quadric": (ctypes.c_int32, ('session',), (
         ("session", "handle", "mien_session", (), False, ""),
         ("mesh", "handle", "mien_mesh", (), False, ""),
@@ -2318,6 +2436,19 @@ FUNCTIONS = {
         ("count", "count_out", "uint64_t", (), True, ""),
         ("error", "error", "mien_error", (), True, ""),
     )),
+    "mien_hierarchy_get_map": (ctypes.c_int32, (), (
+        ("hierarchy", "handle", "mien_hierarchy", (), False, ""),
+        ("level", "scalar", "uint32_t", (), False, ""),
+        ("direction", "scalar", "int32_t", (), False, "MAP"),
+        ("rows", "array_out", "uint32_t", ('capacity',), True, ""),
+        ("columns", "array_out", "uint32_t", ('capacity',), True, ""),
+        ("values", "array_out", "double", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("row_count", "scalar_out", "uint64_t", (), True, ""),
+        ("column_count", "scalar_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
     "mien_hierarchy_retain": (None, (), (
         ("hierarchy", "handle", "mien_hierarchy", (), True, ""),
     )),
@@ -2362,6 +2493,38 @@ FUNCTIONS = {
     "mien_mesh_check_same_unit": (ctypes.c_int32, (), (
         ("first", "handle", "mien_mesh", (), False, ""),
         ("second", "handle", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_model_fit_options_init": (None, (), (
+        ("options", "struct_out", "mien_model_fit_options", (), False, ""),
+        ("struct_size", "struct_size", "size_t", (), False, ""),
+    )),
+    "mien_model_fit": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("model", "handle", "mien_model", (), False, ""),
+        ("target", "handle", "mien_mesh", (), False, ""),
+        ("options", "struct", "mien_model_fit_options", (), True, ""),
+        ("dst", "array_out", "double", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_model_synthesize": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("model", "handle", "mien_model", (), False, ""),
+        ("coefficients", "array", "double", ('coefficient_count',), True, ""),
+        ("coefficient_count", "count", "uint64_t", (), False, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_registration_get_coefficients": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("registration", "handle", "mien_registration", (), False, ""),
+        ("model", "handle", "mien_model", (), False, ""),
+        ("ridge_mm2", "scalar", "double", (), False, ""),
+        ("dst", "array_out", "double", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
         ("error", "error", "mien_error", (), True, ""),
     )),
     "mien_network_evaluation_options_init": (None, (), (

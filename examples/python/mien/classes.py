@@ -40,9 +40,11 @@ __all__ = [
     "Field",
     "Fit",
     "FitVerdict",
+    "GeodesicOptions",
     "Growth",
     "Heat",
     "Hierarchy",
+    "HierarchyMap",
     "Image",
     "Kernel",
     "KernelKind",
@@ -74,6 +76,7 @@ __all__ = [
     "MirrorPlane",
     "Model",
     "ModelCounts",
+    "ModelFitOptions",
     "ModelOptions",
     "Network",
     "NetworkCounts",
@@ -717,6 +720,10 @@ class TuneOptions(_Options):
     expressions: Sequence[str] | None
     #: of the dataset's order; 0 (default): all
     max_subjects: int
+    #: scale_count scales to try with each sigma, each > 0; null: scale_mm alone
+    scales_mm: ArrayLike | None
+    #: level_count numbers of levels to try with each of those, each 1 to 12; null: `levels` alone
+    level_counts: ArrayLike | None
 
 
 class ScanLandmark(_Record):
@@ -1090,6 +1097,30 @@ class EvaluateOptions(_Options):
     stable_vertices: ArrayLike | None
     #: absolute volumes to the neutral face are measured in these, too; null: none. Since 0.2
     volume_zones: Sequence[Zone] | None
+
+
+class GeodesicOptions(_Options):
+    """mien_geodesic_options of the C interface."""
+    _name = "mien_geodesic_options"
+    #: MIEN_HEAT_..., default NEUMANN
+    heat_boundary: Heat | int
+    #: heat time in units of (mean edge)^2, 0.01 to 10000, default 4
+    heat_time_factor: float
+
+
+class ModelFitOptions(_Options):
+    """mien_model_fit_options of the C interface."""
+    _name = "mien_model_fit_options"
+    #: 1: move the target rigidly onto the model's mean; default 0
+    align: int
+    #: rho: variance of the target's noise, mm^2, >= 0; default 1
+    ridge_mm2: float
+    #: one per vertex of the target, >= 0, which enter squared; count 0: all one
+    weights: ArrayLike
+    #: the first of them, the others stay 0; -1 (default): all
+    scalar_modes: int
+    #: the first of them, the others stay 0; -1 (default): all
+    vector_modes: int
 
 
 class NetworkOptions(_Options):
@@ -1467,6 +1498,19 @@ class NeutralizationCoordinates(NamedTuple):
     expression: numpy.ndarray
 
 
+class HierarchyMap(NamedTuple):
+    #: numbers of vertices that the map ends at.
+    rows: numpy.ndarray
+    #: numbers of vertices that it starts from.
+    columns: numpy.ndarray
+    #: float64.
+    values: numpy.ndarray
+    #: may be left out; vertices that the map ends at.
+    row_count: int
+    #: may be left out; vertices that it starts from.
+    column_count: int
+
+
 class NetworkCounts(NamedTuple):
     #: may be left out; #V.
     vertex_count: int
@@ -1720,6 +1764,25 @@ class Session(_Object):
         """
         return _run("mien_spectral_mix", {"basis": basis, "first": first, "second": second, "weights": weights, "limits": limits, "session": self})[0]
 
+    def spectral_project(self, basis: SpectralBasis, face: Mesh, mode_count: int) -> numpy.ndarray:
+        """Spectral coefficients of a face: U' M (face - mean), one row of x, y, z per mode, float64.
+        face: #V vertices, mm, aligned with the mean shape.
+        mode_count: 0 to the basis' modes: the first of them; more means all.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MISMATCH (vertex count),
+        MIEN_E_NO_MEMORY.
+        C: mien_spectral_project()
+        """
+        return _run("mien_spectral_project", {"basis": basis, "face": face, "mode_count": mode_count, "session": self})[0]
+
+    def spectral_synthesize(self, basis: SpectralBasis, first_mode: int, coefficients: ArrayLike | None = None) -> Mesh:
+        """The face that has these spectral coefficients: mean + U c. All other modes are zero.
+        coefficients: row_count x 3 row-major float64, finite
+        first_mode: the mode of the first row.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (modes, not finite), MIEN_E_NO_MEMORY.
+        C: mien_spectral_synthesize()
+        """
+        return _run("mien_spectral_synthesize", {"basis": basis, "first_mode": first_mode, "coefficients": coefficients, "session": self})[0]
+
     def metric(self, metric: Metric | int, reference: Mesh, other: Mesh) -> float:
         """A geometric or perceptual distance. L1, L2 and DAME need correspondence, the others do not.
         metric: MIEN_METRIC_...
@@ -1730,6 +1793,29 @@ class Session(_Object):
         C: mien_metric()
         """
         return _run("mien_metric", {"metric": metric, "reference": reference, "other": other, "session": self})[0]
+
+    def metric_field(self, metric: Metric | int, reference: Mesh, other: Mesh) -> numpy.ndarray:
+        """Where a distance comes from: one value per vertex of the reference. L1: |dx| + |dy| + |dz|; L2: distance of
+        the two vertices; Hausdorff: of the vertex from the other surface; DAME: masked change of the dihedral
+        angles around the vertex, rad; FMPD: how much rougher (above 0) or smoother (below 0) the other looks there,
+        after saturation and masking.
+        metric: MIEN_METRIC_...
+        reference: mm.
+        other: mm; the reference's triangles, but for Hausdorff.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (metric),
+        MIEN_E_MISMATCH (vertex count or triangles), MIEN_E_INVALID_MESH (no triangles), MIEN_E_NO_MEMORY.
+        C: mien_metric_field()
+        """
+        return _run("mien_metric_field", {"metric": metric, "reference": reference, "other": other, "session": self})[0]
+
+    def metric_roughness(self, mesh: Mesh) -> numpy.ndarray:
+        """Local roughness of one mesh, what FMPD is made of: the Laplacian of the angle defect, rad, zero at borders.
+        mesh: with triangles.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (no triangles),
+        MIEN_E_NO_MEMORY.
+        C: mien_metric_roughness()
+        """
+        return _run("mien_metric_roughness", {"mesh": mesh, "session": self})[0]
 
     def transfer_expression(self, source_neutral: Mesh, source_expression: Mesh, target_neutral: Mesh) -> Mesh:
         """Carries an expression from one face to another by deformation transfer.
@@ -1831,6 +1917,18 @@ class Session(_Object):
         C: mien_evaluate_neutralization()
         """
         return _run("mien_evaluate_neutralization", {"model": model, "dataset_path": dataset_path, "options": options, "session": self}, progress=progress, cancel=cancel)[0]
+
+    def measure_geodesic(self, mesh: Mesh, sources: ArrayLike, options: GeodesicOptions | None = None, progress: Progress | None = None, cancel: Cancel | None = None) -> numpy.ndarray:
+        """Distance of every vertex from the nearest of some vertices, along the surface, by the heat method; a model's
+        template is a mesh too (mien_model_mesh()). Holes are gone around, edges are not followed.
+        mesh: #V x 3, mm, with triangles.
+        sources: source_count vertex numbers.
+        options: may be left out: heat stays inside, a time of 4 mean edges squared.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH,
+        MIEN_E_UNSUPPORTED_OPTION, MIEN_E_NO_SOLUTION, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED.
+        C: mien_measure_geodesic()
+        """
+        return _run("mien_measure_geodesic", {"mesh": mesh, "sources": sources, "options": options, "session": self}, progress=progress, cancel=cancel)[0]
 
     def statistics_agreement(self, ratings: ArrayLike, rater_count: int, grade_count: int) -> str:
         """How far raters (or one rater's sessions) agree, as JSON: confusion matrices, percent agreement, Cohen's
@@ -2325,7 +2423,8 @@ class Model(_Object):
 
     @staticmethod
     def tune(session: Session, template_mesh: Mesh, dataset: Text, options: TuneOptions, progress: Progress | None = None, cancel: Cancel | None = None) -> Tuning:
-        """Fits faces of known correspondence with a kernel of each length scale and reports what is left.
+        """Fits faces of known correspondence with a kernel of each length scale, and of each scale and number of
+        levels that is asked for, and reports what is left.
         template_mesh: #V x 3, mm.
         dataset: UTF-8 path of a dataset in the template's correspondence, its faces may cover only the
         template's first vertices.
@@ -2357,14 +2456,36 @@ class Model(_Object):
         """
         return _run("mien_model_get_zones", {"model": self})[0]
 
+    def fit(self, session: Session, target: Mesh, options: ModelFitOptions | None = None) -> numpy.ndarray:
+        """The coefficients that bring the template nearest to a face in its correspondence: least squares, weighted
+        per vertex, with a ridge.
+        target: mm, in the template's frame unless options.align; the vertices of the template, or its first
+        ones.
+        options: may be left out: no weights, a ridge of 1 mm^2, all modes.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MISMATCH (vertices, weights),
+        MIEN_E_INVALID_MESH, MIEN_E_UNSUPPORTED_OPTION, MIEN_E_NO_SOLUTION, MIEN_E_MEMORY_BUDGET,
+        MIEN_E_NO_MEMORY.
+        C: mien_model_fit()
+        """
+        return _run("mien_model_fit", {"session": session, "target": target, "options": options, "model": self})[0]
+
+    def synthesize(self, session: Session, coefficients: ArrayLike | None = None) -> Mesh:
+        """The face that has these coefficients: the template moved by the mean and the modes.
+        coefficients: coefficient_count finite values
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MISMATCH (coefficient_count),
+        MIEN_E_NO_MEMORY.
+        C: mien_model_synthesize()
+        """
+        return _run("mien_model_synthesize", {"session": session, "coefficients": coefficients, "model": self})[0]
+
 
 class Tuning(_Object):
-    """A finished search for a kernel's length scale. Immutable."""
+    """A finished search for a kernel's settings. Immutable."""
     _release = "mien_tuning_release"
 
     def json(self) -> str:
-        """Residual against sigma as JSON text by the two-call protocol: best_sigma_mm and, per sigma, mean, deviation
-        and every face's residual norm in mm.
+        """Residuals as JSON text by the two-call protocol: best_sigma_mm, best_scale_mm, best_levels and, per
+        combination, its sigma, scale and levels, and mean, deviation and every face's residual norm in mm.
         Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT.
         C: mien_tuning_get_json()
         """
@@ -2732,6 +2853,29 @@ class SpectralBasis(_Object):
         """
         return _run("mien_spectral_basis_get_eigenvalues", {"basis": self})[0]
 
+    def vector(self, mode: int) -> numpy.ndarray:
+        """Copies one eigenvector, U's column: a value per vertex, orthonormal in the mass matrix, so 1/mm (plain
+        without mass).
+        mode: 0 to the basis' modes - 1.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (mode), MIEN_E_NO_MEMORY.
+        C: mien_spectral_basis_get_vector()
+        """
+        return _run("mien_spectral_basis_get_vector", {"mode": mode, "basis": self})[0]
+
+    def mass(self) -> numpy.ndarray:
+        """Copies the diagonal of the mass matrix: mm^2 per vertex, ones without mass.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT.
+        C: mien_spectral_basis_get_mass()
+        """
+        return _run("mien_spectral_basis_get_mass", {"basis": self})[0]
+
+    def mean(self) -> Mesh:
+        """The mean shape that the basis belongs to.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_NO_MEMORY.
+        C: mien_spectral_basis_get_mean()
+        """
+        return _run("mien_spectral_basis_get_mean", {"basis": self})[0]
+
 
 class BlendshapeModel(_Object):
     """Predicts one expression of a person from the neutral face. Immutable: share freely."""
@@ -2938,6 +3082,17 @@ class Registration(_Object):
         C: mien_registration_create()
         """
         return _run("mien_registration_create", {"session": session, "mesh": mesh, "quality": quality, "weight": weight, "residual": residual, "standard_deviation": standard_deviation})[0]
+
+    def coefficients(self, session: Session, model: Model, ridge_mm2: float) -> numpy.ndarray:
+        """The coefficients of a registered face: its fitted template, brought back into the model's frame by the
+        registration's own motion and fitted as by mien_model_fit(). What the fit took from the model comes back;
+        what it moved beyond the model's span, to close the last gap to the scan, is left out.
+        ridge_mm2: mm^2, >= 0; 0: the nearest face of the model's span.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MISMATCH (of another model),
+        MIEN_E_NO_SOLUTION, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY.
+        C: mien_registration_get_coefficients()
+        """
+        return _run("mien_registration_get_coefficients", {"session": session, "model": model, "ridge_mm2": ridge_mm2, "registration": self})[0]
 
 
 class ExpressionModel(_Object):
@@ -3204,6 +3359,21 @@ class Hierarchy(_Object):
         C: mien_hierarchy_apply()
         """
         return _run("mien_hierarchy_apply", {"level": level, "direction": direction, "values": values, "channel_count": channel_count, "hierarchy": self})[0]
+
+    def map(self, level: int, direction: MapKind | int) -> HierarchyMap:
+        """A map as a sparse matrix: its entries by rows, ascending, each row adding up to one. With all arrays null
+        and capacity 0: the counts only.
+        level: 1 to level_count - 1: the coarser level of the map.
+        direction: MIEN_MAP_DOWN or MIEN_MAP_UP.
+        rows: numbers of vertices that the map ends at.
+        columns: numbers of vertices that it starts from.
+        values: float64.
+        row_count: may be left out; vertices that the map ends at.
+        column_count: may be left out; vertices that it starts from.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (direction).
+        C: mien_hierarchy_get_map()
+        """
+        return HierarchyMap(*_run("mien_hierarchy_get_map", {"level": level, "direction": direction, "hierarchy": self}))
 
 
 class Network(_Object):

@@ -28,8 +28,10 @@ struct TuneSettings {
     std::vector<double> sigmas_mm;
     double scale_mm = 1, nu = 2, rho = 5;
     int levels = 1, num_modes = 999;
-    std::vector<std::string> expressions;  ///< empty: all
-    int max_subjects = 0;                  ///< 0: all
+    std::vector<std::string> expressions;    ///< empty: all
+    int max_subjects = 0;                    ///< 0: all
+    std::vector<double> scales_mm;           ///< each with each sigma; empty: scale_mm alone
+    std::vector<std::int32_t> level_counts;  ///< each with each of those; empty: levels alone
     Progress progress;
     mien_cancel* cancel = nullptr;
 };
@@ -190,6 +192,10 @@ inline std::string tune_kernel(const Session& session, const Mesh& template_mesh
     options.expressions = expressions.data();
     options.expression_count = static_cast<std::uint32_t>(expressions.size());
     options.max_subjects = settings.max_subjects;
+    options.scales_mm = settings.scales_mm.data();
+    options.scale_count = settings.scales_mm.size();
+    options.level_counts = settings.level_counts.data();
+    options.level_count = settings.level_counts.size();
     options.cancel = settings.cancel;
     detail::ProgressBridge bridge(settings.progress);
     bridge.install(options);

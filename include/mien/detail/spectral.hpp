@@ -65,6 +65,36 @@ class SpectralBasis {
                      std::uint64_t{values.size()}, &count);
         return values;
     }
+    /// The eigenvector of a mode, one value per vertex.
+    std::vector<double> vector(std::uint64_t mode) const {
+        return read_vertex_values([mode](const mien_spectral_basis* basis, double* dst,
+                                         std::uint64_t capacity, std::uint64_t* count,
+                                         mien_error* error) {
+            return mien_spectral_basis_get_vector(basis, mode, dst, capacity, count, error);
+        });
+    }
+    /// The diagonal of the mass matrix, mm^2 per vertex.
+    std::vector<double> mass() const { return read_vertex_values(mien_spectral_basis_get_mass); }
+    Mesh mean() const { return detail::make_mesh(mien_spectral_basis_get_mean, get()); }
+    /// The first spectral coefficients of a face, x y z per mode.
+    std::vector<Position> project(const Session& session, const Mesh& face,
+                                  std::uint64_t modes) const {
+        std::uint64_t count = 0;
+        detail::call(mien_spectral_project, session.get(), get(), face.get(), modes, nullptr,
+                     std::uint64_t{0}, &count);
+        std::vector<Position> rows(static_cast<std::size_t>(count));
+        if (count != 0)
+            detail::call(mien_spectral_project, session.get(), get(), face.get(), modes,
+                         rows.front().data(), count, &count);
+        return rows;
+    }
+    /// The face of these coefficients, which begin at mode `first`.
+    Mesh synthesize(const Session& session, const std::vector<Position>& coefficients,
+                    std::uint64_t first = 0) const {
+        return detail::make_mesh(mien_spectral_synthesize, session.get(), get(),
+                                 coefficients.empty() ? nullptr : coefficients.front().data(),
+                                 std::uint64_t{coefficients.size()}, first);
+    }
     Mesh low(const Session& session, const Mesh& face, std::uint64_t k) const {
         mien_mesh* mesh = nullptr;
         detail::call(mien_spectral_split, session.get(), get(), face.get(), k, &mesh, nullptr);
@@ -97,6 +127,14 @@ class SpectralBasis {
   private:
     explicit SpectralBasis(mien_spectral_basis* basis)
         : handle_(basis, mien_spectral_basis_release) {}
+    template <typename Function>
+    std::vector<double> read_vertex_values(Function function) const {
+        std::uint64_t count = 0;
+        detail::call(function, get(), nullptr, std::uint64_t{0}, &count);
+        std::vector<double> values(static_cast<std::size_t>(count));
+        detail::call(function, get(), values.data(), count, &count);
+        return values;
+    }
     static void check_bands(const std::vector<std::uint64_t>& limits,
                             const std::vector<double>& values) {
         if (values.size() != limits.size() + 1)
@@ -112,6 +150,25 @@ inline double metric(const Session& session, std::int32_t kind, const Mesh& refe
     double value = 0;
     detail::call(mien_metric, session.get(), kind, reference.get(), other.get(), &value);
     return value;
+}
+
+/// Where a metric comes from: one value per vertex of the reference.
+inline std::vector<double> metric_field(const Session& session, std::int32_t kind,
+                                        const Mesh& reference, const Mesh& other) {
+    std::vector<double> field(reference.vertex_count());
+    std::uint64_t count = 0;
+    detail::call(mien_metric_field, session.get(), kind, reference.get(), other.get(), field.data(),
+                 std::uint64_t{field.size()}, &count);
+    return field;
+}
+
+/// Local roughness of one mesh, rad per vertex.
+inline std::vector<double> roughness(const Session& session, const Mesh& mesh) {
+    std::vector<double> field(mesh.vertex_count());
+    std::uint64_t count = 0;
+    detail::call(mien_metric_roughness, session.get(), mesh.get(), field.data(),
+                 std::uint64_t{field.size()}, &count);
+    return field;
 }
 
 /// Faces as numbers for learning, and back; copies share it.
@@ -214,6 +271,24 @@ class Hierarchy {
         detail::call(mien_hierarchy_apply, get(), level, direction, values.data(), rows, channels,
                      result.data(), count, &count);
         return result;
+    }
+    /// A map as a sparse matrix, entry by entry.
+    struct Map {
+        std::vector<std::uint32_t> rows, columns;
+        std::vector<double> values;
+        std::uint64_t row_count = 0, column_count = 0;
+    };
+    Map map(std::uint32_t level, std::int32_t direction) const {
+        Map out;
+        std::uint64_t count = 0;
+        detail::call(mien_hierarchy_get_map, get(), level, direction, nullptr, nullptr, nullptr,
+                     std::uint64_t{0}, &count, &out.row_count, &out.column_count);
+        out.rows.resize(static_cast<std::size_t>(count));
+        out.columns.resize(out.rows.size());
+        out.values.resize(out.rows.size());
+        detail::call(mien_hierarchy_get_map, get(), level, direction, out.rows.data(),
+                     out.columns.data(), out.values.data(), count, &count, nullptr, nullptr);
+        return out;
     }
     const mien_hierarchy* get() const noexcept { return handle_.get(); }
 

@@ -54,6 +54,7 @@ constexpr Number kNumbers[] = {
     {"representation", "row_count", Fixtures::kVertices},
     {"hierarchy", "row_count", Fixtures::kVertices},
     {"network", "code_count", Fixtures::kCode},
+    {"", "coefficient_count", 3},
     {"", "vertex_count", 9},
     {"", "level", 1},
     {"", "direction", MIEN_MAP_DOWN},

@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/thread_pool.hpp"
+#include "geometry/distance_field.hpp"
 #include "geometry/heat_method.hpp"
 #include "geometry/intrinsic_mesh.hpp"
 #include "mesh/mesh_file.hpp"
@@ -245,6 +246,25 @@ TEST(IntrinsicMesh, KeepsAreaAndHasNoNegativeWeight) {
         if (edge.first != edge.second) {
             EXPECT_GT(w, -1e-6) << edge.first << " " << edge.second;
         }
+}
+
+TEST(DistanceField, IsTheNearestOfItsSourcesFields) {
+    const Surface s = sphere(12);
+    std::vector<std::uint32_t> sources;
+    for (std::uint32_t k = 0; k < 70; ++k) sources.push_back(20 * k);  // more than one block
+    const HeatGeodesics one = heat(s);
+    Vector expected = one.distances_from(sources[0]);
+    for (const std::uint32_t source : sources)
+        expected = expected.cwiseMin(one.distances_from(source));
+    ThreadPool pool(3);
+    Context threads;
+    threads.pool = &pool;
+    const Vector field = distance_field(s.vertices, s.triangles, sources, {}, threads);
+    EXPECT_LT((field - expected).cwiseAbs().maxCoeff(), 1e-6);
+    for (const std::uint32_t source : sources) EXPECT_EQ(field[source], 0.0);
+    EXPECT_EQ(field, distance_field(s.vertices, s.triangles, sources, {}, {}));
+    EXPECT_THROW(distance_field(s.vertices, s.triangles, {}, {}, {}), Error);
+    EXPECT_THROW(distance_field(s.vertices, s.triangles, {1u << 20}, {}, {}), Error);
 }
 
 }  // namespace

@@ -137,6 +137,22 @@ TEST(Tuning, FindsTheSigmaThatMadeTheFaces) {
     }
     const std::string json = tune_json(report);
     EXPECT_NE(json.find("\"best_sigma_mm\":18"), std::string::npos);
+    // The same numbers stand in a grid over scales and levels, and the truth is found in it.
+    TuneOptions grid = options;
+    grid.sigmas_mm = {9, 18};
+    grid.scales_mm = {0.5, 3.0};
+    grid.level_counts = {1, 2};
+    const TuneReport all = tune_kernel(mesh, faces, grid, {});
+    ASSERT_EQ(all.points.size(), 8u);
+    EXPECT_EQ(all.points[3].sigma_mm, 18);
+    EXPECT_EQ(all.points[3].scale_mm, 3);
+    EXPECT_EQ(all.points[3].levels, 1);
+    EXPECT_EQ(all.points[3].residuals, report.points[2].residuals);
+    EXPECT_EQ(all.points[4].levels, 2);
+    EXPECT_EQ(all.points[all.best].scale_mm, 3);
+    EXPECT_NE(tune_json(all).find("\"best_scale_mm\":3,\"best_levels\":"), std::string::npos);
+    grid.level_counts = {0};
+    EXPECT_THROW(tune_kernel(mesh, faces, grid, {}), Error);
     options.sigmas_mm.clear();
     EXPECT_THROW(tune_kernel(mesh, faces, options, {}), Error);
     options.sigmas_mm = {10};

@@ -630,9 +630,44 @@ final class RawForeign implements Raw {
         try { return (int) mien_spectral_mix.invokeExact(session, basis, first, second, limits, limitCount, weights, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
     }
 
+    private final MethodHandle mien_spectral_basis_get_vector = library.find("mien_spectral_basis_get_vector", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_spectral_basis_get_vector(long basis, long mode, long dst, long capacity, long count, long error) {
+        try { return (int) mien_spectral_basis_get_vector.invokeExact(basis, mode, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_spectral_basis_get_mass = library.find("mien_spectral_basis_get_mass", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_spectral_basis_get_mass(long basis, long dst, long capacity, long count, long error) {
+        try { return (int) mien_spectral_basis_get_mass.invokeExact(basis, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_spectral_basis_get_mean = library.find("mien_spectral_basis_get_mean", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_spectral_basis_get_mean(long basis, long out, long error) {
+        try { return (int) mien_spectral_basis_get_mean.invokeExact(basis, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_spectral_project = library.find("mien_spectral_project", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_spectral_project(long session, long basis, long face, long modeCount, long dst, long capacity, long count, long error) {
+        try { return (int) mien_spectral_project.invokeExact(session, basis, face, modeCount, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_spectral_synthesize = library.find("mien_spectral_synthesize", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_spectral_synthesize(long session, long basis, long coefficients, long rowCount, long firstMode, long out, long error) {
+        try { return (int) mien_spectral_synthesize.invokeExact(session, basis, coefficients, rowCount, firstMode, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
     private final MethodHandle mien_metric = library.find("mien_metric", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
     @Override public int mien_metric(long session, int metric, long reference, long other, long value, long error) {
         try { return (int) mien_metric.invokeExact(session, metric, reference, other, value, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_metric_field = library.find("mien_metric_field", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_metric_field(long session, int metric, long reference, long other, long dst, long capacity, long count, long error) {
+        try { return (int) mien_metric_field.invokeExact(session, metric, reference, other, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_metric_roughness = library.find("mien_metric_roughness", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_metric_roughness(long session, long mesh, long dst, long capacity, long count, long error) {
+        try { return (int) mien_metric_roughness.invokeExact(session, mesh, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
     }
 
     private final MethodHandle mien_transfer_expression = library.find("mien_transfer_expression", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
@@ -915,6 +950,16 @@ final class RawForeign implements Raw {
         try { mien_evaluation_release.invokeExact(evaluation); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
     }
 
+    private final MethodHandle mien_geodesic_options_init = library.find("mien_geodesic_options_init", FunctionDescriptor.ofVoid(JAVA_LONG, JAVA_LONG));
+    @Override public void mien_geodesic_options_init(long options, long structSize) {
+        try { mien_geodesic_options_init.invokeExact(options, structSize); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_measure_geodesic = library.find("mien_measure_geodesic", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_measure_geodesic(long session, long mesh, long sources, long sourceCount, long options, long dst, long capacity, long count, long error) {
+        try { return (int) mien_measure_geodesic.invokeExact(session, mesh, sources, sourceCount, options, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
     private final MethodHandle mien_hierarchy_build_quadric = library.find("mien_hierarchy_build_quadric", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_INT, JAVA_DOUBLE, JAVA_LONG, JAVA_LONG));
     @Override public int mien_hierarchy_build_quadric(long session, long mesh, int levelCount, double factor, long out, long error) {
         try { return (int) mien_hierarchy_build_quadric.invokeExact(session, mesh, levelCount, factor, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
@@ -948,6 +993,11 @@ final class RawForeign implements Raw {
     private final MethodHandle mien_hierarchy_apply = library.find("mien_hierarchy_apply", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_INT, JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
     @Override public int mien_hierarchy_apply(long hierarchy, int level, int direction, long values, long rowCount, long channelCount, long dst, long capacity, long count, long error) {
         try { return (int) mien_hierarchy_apply.invokeExact(hierarchy, level, direction, values, rowCount, channelCount, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_hierarchy_get_map = library.find("mien_hierarchy_get_map", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_INT, JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_hierarchy_get_map(long hierarchy, int level, int direction, long rows, long columns, long values, long capacity, long count, long rowCount, long columnCount, long error) {
+        try { return (int) mien_hierarchy_get_map.invokeExact(hierarchy, level, direction, rows, columns, values, capacity, count, rowCount, columnCount, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
     }
 
     private final MethodHandle mien_hierarchy_retain = library.find("mien_hierarchy_retain", FunctionDescriptor.ofVoid(JAVA_LONG));
@@ -988,6 +1038,26 @@ final class RawForeign implements Raw {
     private final MethodHandle mien_mesh_check_same_unit = library.find("mien_mesh_check_same_unit", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG));
     @Override public int mien_mesh_check_same_unit(long first, long second, long error) {
         try { return (int) mien_mesh_check_same_unit.invokeExact(first, second, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_model_fit_options_init = library.find("mien_model_fit_options_init", FunctionDescriptor.ofVoid(JAVA_LONG, JAVA_LONG));
+    @Override public void mien_model_fit_options_init(long options, long structSize) {
+        try { mien_model_fit_options_init.invokeExact(options, structSize); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_model_fit = library.find("mien_model_fit", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_model_fit(long session, long model, long target, long options, long dst, long capacity, long count, long error) {
+        try { return (int) mien_model_fit.invokeExact(session, model, target, options, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_model_synthesize = library.find("mien_model_synthesize", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_model_synthesize(long session, long model, long coefficients, long coefficientCount, long out, long error) {
+        try { return (int) mien_model_synthesize.invokeExact(session, model, coefficients, coefficientCount, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_registration_get_coefficients = library.find("mien_registration_get_coefficients", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_DOUBLE, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_registration_get_coefficients(long session, long registration, long model, double ridgeMm2, long dst, long capacity, long count, long error) {
+        try { return (int) mien_registration_get_coefficients.invokeExact(session, registration, model, ridgeMm2, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
     }
 
     private final MethodHandle mien_network_evaluation_options_init = library.find("mien_network_evaluation_options_init", FunctionDescriptor.ofVoid(JAVA_LONG, JAVA_LONG));
