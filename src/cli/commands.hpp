@@ -73,14 +73,20 @@ nlohmann::json print_template_check(const Session& session, const Mesh& mesh,
 double unit_in_mm(const std::string& name);
 /// `mien model check`.
 void add_template_check(CLI::App& model);
+/// `mien model fit|synthesize|condition`.
+void add_coefficient_commands(CLI::App& model);
+/// `mien measure geodesic`.
+void add_geodesic_command(CLI::App& measure);
 
 // One function per file of commands; main.cpp calls them all.
 void add_model_commands(CLI::App& app);
 void add_registration_commands(CLI::App& app);
+void add_transfer_commands(CLI::App& app);
 void add_mesh_commands(CLI::App& app);
 void add_landmark_commands(CLI::App& app);
 void add_training_commands(CLI::App& app);
 void add_expression_commands(CLI::App& app);
+void add_face_commands(CLI::App& app);
 void add_measure_commands(CLI::App& app);
 void add_score_commands(CLI::App& app);
 void add_network_commands(CLI::App& app);

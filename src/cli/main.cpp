@@ -11,10 +11,12 @@ int main(int argc, char** argv) {
     try {
         mien::cli::add_model_commands(app);
         mien::cli::add_registration_commands(app);
+        mien::cli::add_transfer_commands(app);
         mien::cli::add_landmark_commands(app);
         mien::cli::add_mesh_commands(app);
         mien::cli::add_training_commands(app);
         mien::cli::add_expression_commands(app);
+        mien::cli::add_face_commands(app);
         mien::cli::add_measure_commands(app);
         mien::cli::add_score_commands(app);
         mien::cli::add_network_commands(app);

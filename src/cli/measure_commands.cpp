@@ -401,6 +401,7 @@ void add_measure_commands(CLI::App& app) {
     add_area(measure, settings);
     add_curvature(measure, settings);
     add_length(measure, settings);
+    add_geodesic_command(*measure);
     add_anthropometry_commands(*measure);
 }
 

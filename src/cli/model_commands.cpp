@@ -1,4 +1,6 @@
-// mien model build|info|sample|tune: how a template may move, computed once and kept in a file.
+// mien model build|info|sample|tune (fit, synthesize, condition: coefficient_commands.cpp): how a
+// template may move, computed once and kept in a file.
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -6,6 +8,7 @@
 #include <stdexcept>
 
 #include "commands.hpp"
+#include "fields.hpp"
 #include "plot.hpp"
 
 namespace mien::cli {
@@ -211,12 +214,54 @@ void add_info(CLI::App& parent) {
 
 struct SampleSettings {
     Common common;
-    std::string path, out_dir, format = "ply";
-    int count = 1;
-    double strength = 1;
+    std::string path, out_dir, format = "ply", picture;
+    int count = 1, mode = -1;
+    double strength = 1, sigma = 1;
 };
 
+/// One coefficient at `sigma` and all others at zero: the mean with one eigenfunction (figure 2.10
+/// of the thesis), as a mesh and as a picture of the displacement of a deviation.
+void run_mode(const SampleSettings& settings) {
+    const Session session(settings.common.num_threads);
+    const Model model(session, settings.path);
+    const std::size_t scalar = 3 * model.scalar_modes(), all = scalar + model.vector_modes();
+    const auto mode = static_cast<std::size_t>(settings.mode);
+    if (mode >= all)
+        throw CLI::ValidationError("--mode",
+                                   "the model has the modes 0 to " + std::to_string(all - 1));
+    std::vector<double> coefficients(mode < scalar ? mode - mode % 3 + 3 : mode + 1, 0.0);
+    coefficients[mode] = settings.sigma;
+    std::filesystem::create_directories(std::filesystem::u8path(settings.out_dir));
+    char name[40];
+    std::snprintf(name, sizeof name, "mode_%04d.", settings.mode);
+    const std::string path = settings.out_dir + "/" + name + settings.format;
+    synthesize(session, model, coefficients).save(session, path);
+    // The eigenfunction itself: along its axis with a sign, of trained modes the length.
+    const auto mean = synthesize(session, model, {}).positions();
+    coefficients[mode] = 1;
+    const auto moved = synthesize(session, model, coefficients).positions();
+    std::vector<double> field(mean.size());
+    for (std::size_t v = 0; v < mean.size(); ++v) {
+        const Position d{moved[v][0] - mean[v][0], moved[v][1] - mean[v][1],
+                         moved[v][2] - mean[v][2]};
+        field[v] = mode < scalar ? d[mode % 3] : std::hypot(std::hypot(d[0], d[1]), d[2]);
+    }
+    const FieldSummary summary = summary_of(field);
+    const std::string what = mode < scalar ? std::string("scalar mode ") +
+                                                 std::to_string(mode / 3) + ", " + "xyz"[mode % 3]
+                                           : "trained mode " + std::to_string(mode - scalar);
+    std::printf("%s: %.4g to %.4g mm per deviation\n", what.c_str(), summary.least, summary.most);
+    FieldPicture picture{
+        "mm per deviation", what, mode < scalar, mode < scalar ? std::nan("") : 0.0, {}};
+    draw_field(settings.picture, model.mesh(), field, picture);
+    write_report(settings.common, {{"mode", settings.mode},
+                                   {"sigma", settings.sigma},
+                                   {"eigenfunction_mm", summary_json(summary)},
+                                   {"files", {path}}});
+}
+
 void run_sample(const SampleSettings& settings) {
+    if (settings.mode >= 0) return run_mode(settings);
     const Session session(settings.common.num_threads);
     const Model model = Model(session, settings.path);
     std::filesystem::create_directories(std::filesystem::u8path(settings.out_dir));
@@ -247,6 +292,16 @@ void add_sample(CLI::App& parent) {
         .add_option("--strength", settings->strength,
                     "in units of the prior's deviation; 0: the mean")
         ->capture_default_str();
+    auto* mode = command
+                     .add_option("--mode", settings->mode,
+                                 "one mode instead of chance: x, y and z of each scalar mode, then "
+                                 "the trained ones, from 0")
+                     ->check(CLI::NonNegativeNumber);
+    command.add_option("--sigma", settings->sigma, "with --mode: in units of its deviation")
+        ->needs(mode)
+        ->capture_default_str();
+    command.add_option("--picture", settings->picture, "with --mode: PNG of the eigenfunction")
+        ->needs(mode);
     command.add_option("--format", settings->format, "of the mesh files")
         ->check(CLI::IsMember({"ply", "obj", "stl", "off"}))
         ->capture_default_str();
@@ -254,18 +309,22 @@ void add_sample(CLI::App& parent) {
         ->required();
     add_common_options(command, settings->common, true);
     command.footer(
-        "Example: mien model sample face.safetensors --count 5 --seed 1 --out-dir samples");
+        "Example: mien model sample face.safetensors --count 5 --seed 1 --out-dir samples\n"
+        "         mien model sample face.safetensors --mode 2 --sigma 3 --picture mode.png "
+        "--out-dir "
+        "samples");
     command.callback([settings] { run_sample(*settings); });
 }
 
 struct TuneCommand {
     Common common;
-    std::string template_path, targets, kernel = "geodesic-se", sigmas, plot;
+    std::string template_path, targets, kernel = "geodesic-se", sigmas, scales = "1", levels = "1",
+                                        plot;
     TuneSettings tune;
 };
 
 /// "A:B:STEP" with both ends, or "A,B,C".
-std::vector<double> parse_sigmas(const std::string& text) {
+std::vector<double> parse_range(const std::string& option, const std::string& text) {
     std::vector<double> values;
     const bool range = text.find(':') != std::string::npos;
     try {
@@ -284,8 +343,8 @@ std::vector<double> parse_sigmas(const std::string& text) {
                 values.push_back(first + k * step);
         }
     } catch (const std::exception&) {
-        throw std::runtime_error("--sigma " + text +
-                                 ": expected A:B:STEP or a list A,B,C of millimetres");
+        throw std::runtime_error(option + " " + text + ": expected A:B:STEP or a list A,B,C of " +
+                                 (option == "--levels" ? "numbers of levels" : "millimetres"));
     }
     return values;
 }
@@ -294,21 +353,45 @@ void run_tune(TuneCommand& settings) {
     const Session session(settings.common.num_threads);
     const Mesh mesh(session, settings.template_path);
     settings.tune.kernel = kernels().at(settings.kernel);
-    settings.tune.sigmas_mm = parse_sigmas(settings.sigmas);
+    settings.tune.sigmas_mm = parse_range("--sigma", settings.sigmas);
+    settings.tune.scales_mm = parse_range("--scale", settings.scales);
+    settings.tune.scale_mm = settings.tune.scales_mm.front();
+    for (const double levels : parse_range("--levels", settings.levels)) {
+        if (levels != std::floor(levels))
+            throw std::runtime_error("--levels " + settings.levels + ": levels are whole numbers");
+        settings.tune.level_counts.push_back(static_cast<std::int32_t>(levels));
+    }
+    settings.tune.levels = settings.tune.level_counts.front();
     settings.tune.progress = progress_bar();
     const nlohmann::json report =
         nlohmann::json::parse(tune_kernel(session, mesh, settings.targets, settings.tune));
-    Curve curve;
-    curve.label = settings.kernel;
-    curve.markers = true;
-    std::printf("%10s %12s %10s   (residual norm, mm, over %d faces)\n", "sigma", "mean", "sd",
-                report["faces"].get<int>());
+    const bool grid = settings.tune.scales_mm.size() * settings.tune.level_counts.size() > 1;
+    std::printf(grid ? "%10s %10s %8s %12s %10s" : "%10s %.0s%.0s%12s %10s", "sigma", "scale",
+                "levels", "mean", "sd");
+    std::printf("   (residual norm, mm, over %d faces)\n", report["faces"].get<int>());
+    std::vector<Curve> curves;
     for (const nlohmann::json& point : report["points"]) {
-        curve.x.push_back(point["sigma_mm"]);
-        curve.y.push_back(point["residual_mean_mm"]);
-        curve.error.push_back(point["residual_sd_mm"]);
-        std::printf("%10g %12.3f %10.3f%s\n", curve.x.back(), curve.y.back(), curve.error.back(),
-                    curve.x.back() == report["best_sigma_mm"].get<double>() ? "   best" : "");
+        const double sigma = point["sigma_mm"], scale = point["scale_mm"];
+        const int levels = point["levels"];
+        // One curve per scale and levels, over sigma: figure 2.9 of the thesis.
+        const std::string label =
+            !grid ? settings.kernel
+                  : std::to_string(levels) + " levels, scale " + short_number(scale);
+        if (curves.empty() || curves.back().label != label) {
+            curves.emplace_back();
+            curves.back().label = label;
+            curves.back().markers = true;
+        }
+        curves.back().x.push_back(sigma);
+        curves.back().y.push_back(point["residual_mean_mm"]);
+        if (!grid) curves.back().error.push_back(point["residual_sd_mm"]);
+        std::printf("%10g ", sigma);
+        if (grid) std::printf("%10g %8d ", scale, levels);
+        const bool best = sigma == report["best_sigma_mm"].get<double>() &&
+                          scale == report["best_scale_mm"].get<double>() &&
+                          levels == report["best_levels"].get<int>();
+        std::printf("%12.3f %10.3f%s\n", point["residual_mean_mm"].get<double>(),
+                    point["residual_sd_mm"].get<double>(), best ? "   best" : "");
     }
     if (!settings.plot.empty()) {
         PlotOptions options;
@@ -316,7 +399,7 @@ void run_tune(TuneCommand& settings) {
         options.x_label = "sigma, mm";
         options.y_label = "residual norm, mm";
         options.zero_y = true;
-        write_png(settings.plot, draw_plot({curve}, options));
+        write_png(settings.plot, draw_plot(curves, options));
     }
     write_report(settings.common, report);
 }
@@ -335,12 +418,14 @@ void add_tune(CLI::App& parent) {
         ->capture_default_str();
     command.add_option("--sigma", settings->sigmas, "A:B:STEP or A,B,C, mm")->required();
     command
-        .add_option("--scale", settings->tune.scale_mm,
-                    "deviation of a displacement's coordinate, mm")
+        .add_option("--scale", settings->scales,
+                    "deviation of a displacement's coordinate, mm; several as for --sigma")
         ->capture_default_str();
     command.add_option("--nu", settings->tune.nu, "smoothness of surface-matern")
         ->capture_default_str();
-    command.add_option("--levels", settings->tune.levels, "sum of sigma, 2 sigma, 4 sigma, ...")
+    command
+        .add_option("--levels", settings->levels,
+                    "sum of sigma, 2 sigma, 4 sigma, ...; several as for --sigma")
         ->capture_default_str();
     command.add_option("--modes", settings->tune.num_modes, "deformation modes")
         ->capture_default_str();
@@ -354,7 +439,9 @@ void add_tune(CLI::App& parent) {
     command.footer(
         "Example: mien model tune --template face.ply --targets faces.safetensors --kernel "
         "geodesic-se "
-        "--sigma 10:40:5 --expressions neutral,mouth_stretch --subjects 1 --json tune.json");
+        "--sigma 10:40:5 --expressions neutral,mouth_stretch --subjects 1 --json tune.json\n"
+        "         mien model tune --template face.ply --targets faces.safetensors --sigma 10:40:10 "
+        "--scale 1,3 --levels 1,4 --plot tune.png");
     command.callback([settings] { run_tune(*settings); });
 }
 
@@ -367,6 +454,7 @@ void add_model_commands(CLI::App& app) {
     add_template_check(model);
     add_info(model);
     add_sample(model);
+    add_coefficient_commands(model);
     add_tune(model);
 }
 

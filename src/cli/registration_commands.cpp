@@ -138,56 +138,6 @@ void add_correspondence_options(CLI::App& command, RegisterArguments& arguments)
         ->capture_default_str();
 }
 
-struct TransferArguments {
-    std::string model, fitted, scan, what = "landmarks", out;
-    double max_distance = 10;
-    Common common;
-};
-
-// FILE: {"points": {...}} go to the nearest place on the scan, {"zones": {...}} of the template to
-// scan vertices.
-nlohmann::json transfer_file(const Session& session, const TransferArguments& arguments,
-                             const Mesh& fitted, const Mesh& scan) {
-    const nlohmann::json file = read_json(arguments.what);
-    nlohmann::json result;
-    if (file.is_object() && file.contains("zones")) {
-        for (const auto& [name, vertices] : read_zones(arguments.what))
-            result["zones"][name] =
-                transfer_zone(session, fitted, vertices, scan, arguments.max_distance);
-    } else if (file.is_object() && file.contains("vertices")) {
-        const std::vector<Position> places = fitted.positions();
-        for (const auto& [name, vertex] : read_landmark_vertices(arguments.what)) {
-            if (vertex >= places.size())
-                throw std::runtime_error(arguments.what + ": '" + name + "' is vertex " +
-                                         std::to_string(vertex) +
-                                         ", which the fitted mesh does not have");
-            result["points"][name] =
-                transfer_points(session, scan, {places[vertex]}, arguments.max_distance)[0];
-        }
-    } else {
-        for (const NamedPoint& point : read_landmark_points(arguments.what))
-            result["points"][point.name] =
-                transfer_points(session, scan, {point.point}, arguments.max_distance)[0];
-    }
-    return result;
-}
-
-void run_transfer(const TransferArguments& arguments) {
-    const Session session(arguments.common.num_threads);
-    const Model model(session, arguments.model);
-    const Mesh fitted(session, arguments.fitted), scan(session, arguments.scan);
-    nlohmann::json result;
-    if (arguments.what == "landmarks" || arguments.what == "zones")
-        result = nlohmann::json::parse(
-            transfer_json(session, model, fitted, scan,
-                          arguments.what == "zones" ? MIEN_TRANSFER_ZONES : MIEN_TRANSFER_LANDMARKS,
-                          arguments.max_distance));
-    else
-        result = transfer_file(session, arguments, fitted, scan);
-    write_json(arguments.out, result);
-    write_report(arguments.common, {{"what", arguments.what}, {"out", arguments.out}});
-}
-
 }  // namespace
 
 void add_registration_commands(CLI::App& app) {
@@ -242,26 +192,6 @@ void add_registration_commands(CLI::App& app) {
         "Example: mien register --model face.safetensors --scan scan.ply --out fitted.ply --json "
         "fit.json");
     command->callback([arguments] { run_register(*arguments); });
-
-    auto* transfer = app.add_subcommand(
-        "transfer", "carry landmarks, contours or zones from a fitted template to its scan");
-    auto carried = std::make_shared<TransferArguments>();
-    transfer->add_option("--model", carried->model, "deformation model")->required();
-    transfer->add_option("--fitted", carried->fitted, "the template after registration")
-        ->required();
-    transfer->add_option("--scan", carried->scan, "the scan, in the same frame")->required();
-    transfer
-        ->add_option("--what", carried->what,
-                     "landmarks, zones, or a JSON file with points, vertices or zones")
-        ->capture_default_str();
-    transfer->add_option("--max-distance", carried->max_distance, "mm beyond which a place is lost")
-        ->capture_default_str();
-    transfer->add_option("--out", carried->out, "JSON file")->required();
-    add_common_options(*transfer, carried->common);
-    transfer->footer(
-        "Example: mien transfer --model face.safetensors --fitted fitted.ply --scan scan.ply "
-        "--what zones --out zones.json");
-    transfer->callback([carried] { run_transfer(*carried); });
 }
 
 }  // namespace mien::cli

@@ -1,12 +1,11 @@
 // mien render: a mesh as a picture.
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <memory>
-#include <sstream>
 #include <stdexcept>
 
 #include "commands.hpp"
+#include "fields.hpp"
 #include "render.hpp"
 
 namespace mien::cli {
@@ -20,58 +19,6 @@ struct RenderCommand {
     double low = std::nan(""), high = std::nan("");
     bool diverging = false, plain = false, is_signed = false;
 };
-
-/// One number per vertex: JSON ([..] or {"values": [..]}) or text, separated by space, comma or
-/// line.
-std::vector<double> read_scalar(const std::string& path) {
-    std::vector<double> values;
-    const auto ends_with = [&](const char* tail) {
-        const std::string t = tail;
-        return path.size() >= t.size() && path.compare(path.size() - t.size(), t.size(), t) == 0;
-    };
-    if (ends_with(".json")) {
-        nlohmann::json file = read_json(path);
-        const nlohmann::json& list =
-            file.is_object() && file.contains("values") ? file["values"] : file;
-        if (!list.is_array())
-            throw std::runtime_error(path + ": expected [number, ...] or {\"values\": [...]}");
-        for (const nlohmann::json& v : list) {
-            if (!v.is_number() && !v.is_null())
-                throw std::runtime_error(path + ": value " + std::to_string(values.size()) +
-                                         " is not a number");
-            values.push_back(v.is_null() ? std::nan("") : v.get<double>());
-        }
-        return values;
-    }
-    std::ifstream in(path, std::ios::binary);
-    if (!in) throw std::runtime_error(path + ": cannot be opened for reading");
-    std::stringstream text;
-    text << in.rdbuf();
-    std::string word;
-    const auto finish = [&] {
-        if (word.empty()) return;
-        std::size_t used = 0;
-        double value = 0;
-        try {
-            value = std::stod(word, &used);
-        } catch (const std::exception&) {
-            used = 0;
-        }
-        if (used != word.size())
-            throw std::runtime_error(path + ": '" + word.substr(0, 20) +
-                                     "' is not a number; give one number per vertex");
-        values.push_back(value);
-        word.clear();
-    };
-    for (const char c : text.str()) {
-        if (c == ' ' || c == '\n' || c == '\r' || c == '\t' || c == ',')
-            finish();
-        else
-            word += c;
-    }
-    finish();
-    return values;
-}
 
 /// Distance per vertex between meshes of one topology; signed along the normals of the first if
 /// asked.
@@ -154,7 +101,7 @@ void run(const RenderCommand& o) {
     options.title = o.title;
     options.use_colors = !o.plain;
     if (o.diverging || o.is_signed) options.color_map = ColorMap::diverging;
-    if (!o.scalar.empty()) options.scalar = read_scalar(o.scalar);
+    if (!o.scalar.empty()) options.scalar = read_field(o.scalar);
     if (!o.compare.empty()) {
         const Mesh other(session, o.compare);
         check_same_unit(given, other);

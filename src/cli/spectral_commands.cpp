@@ -9,7 +9,9 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "fields.hpp"
 #include "plot.hpp"
+#include "spectral_commands.hpp"
 
 namespace mien::cli {
 namespace {
@@ -38,7 +40,7 @@ const std::map<std::string, std::int32_t> kFeatureNames = {
 struct Arguments {
     Common common;
     std::string mean, basis, in, other, third, out, second_out, data, expression, validate, picture,
-        model;
+        model, field;
     std::uint32_t modes = 500, levels = 4, stride = 2, radius = 2;
     std::uint64_t k = 500;
     double factor = 4.0, ridge = 0.0;
@@ -187,10 +189,23 @@ void add_learning(CLI::App& group) {
     sub->add_option("--out", a->out, "Representation file")->required();
 
     auto b = std::make_shared<Arguments>();
+    auto application = std::make_shared<HierarchyApplication>();
     sub = command(
-        group, "hierarchy", "Builds coarser levels of a template with maps between them",
-        "mien spectral hierarchy --template T.ply --levels 4 --factor 4 --out levels.safetensors",
-        b, [b] {
+        group, "hierarchy",
+        "Builds coarser levels of a template with maps between them, or applies the maps",
+        "mien spectral hierarchy --template T.ply --levels 4 --factor 4 --out levels.safetensors\n"
+        "  mien spectral hierarchy --apply levels.safetensors --level 2 --direction down --in "
+        "face.ply --out coarse.ply",
+        b, [b, application] {
+            if (!application->file.empty()) {
+                if (application->in.empty() == application->field.empty())
+                    throw CLI::ValidationError("--apply", "give either --in or --field");
+                application->out = b->out;
+                application->num_threads = b->common.num_threads;
+                apply_hierarchy(*application);
+                return;
+            }
+            if (b->in.empty()) throw CLI::RequiredError("--template");
             const Session session(b->common.num_threads);
             const Mesh mesh(session, b->in);
             const Hierarchy levels =
@@ -203,7 +218,21 @@ void add_learning(CLI::App& group) {
                 counts.push_back(levels.level(l).vertex_count());
             write_report(b->common, {{"sampling", b->sampling}, {"vertices", counts}});
         });
-    sub->add_option("--template", b->in, "Finest mesh")->required();
+    auto* finest = sub->add_option("--template", b->in, "Finest mesh");
+    auto* apply = sub->add_option("--apply", application->file,
+                                  "Hierarchy file whose maps are applied, instead of building one")
+                      ->excludes(finest);
+    sub->add_option("--level", application->level, "with --apply: the coarser end of the maps")
+        ->capture_default_str();
+    sub->add_option("--direction", application->direction,
+                    "with --apply: down from the finest level, or up to it")
+        ->check(CLI::IsMember(std::vector<std::string>{"down", "up"}))
+        ->capture_default_str();
+    sub->add_option("--in", application->in, "with --apply: mesh whose vertices are mapped")
+        ->needs(apply);
+    sub->add_option("--field", application->field,
+                    "with --apply: one number per vertex, mapped instead")
+        ->needs(apply);
     sub->add_option("--sampling", b->sampling, "How levels are made")
         ->check(CLI::IsMember(std::vector<std::string>{"quadric", "connectivity"}))
         ->capture_default_str();
@@ -214,7 +243,27 @@ void add_learning(CLI::App& group) {
         ->capture_default_str();
     sub->add_option("--radius", b->radius, "connectivity: edges over which the maps reach")
         ->capture_default_str();
-    sub->add_option("--out", b->out, "Hierarchy file")->required();
+    sub->add_option("--out", b->out,
+                    "Hierarchy file; with --apply: the mesh, or a JSON list of numbers")
+        ->required();
+}
+
+/// Where a metric comes from, as numbers and as a picture.
+void show_field(const Arguments& a, const Mesh& mesh, const std::vector<double>& field,
+                bool is_signed, const std::string& name) {
+    if (!a.field.empty()) write_json(a.field, field);
+    const bool angle = name == "dame" || name == "roughness";
+    FieldPicture picture;
+    picture.label =
+        name == "fmpd" ? "rougher (+), smoother (-)" : name + (angle ? ", rad" : ", mm");
+    picture.is_signed = is_signed;
+    if (!is_signed) picture.low = 0;
+    draw_field(a.picture, mesh, field, picture);
+}
+
+void add_field_options(CLI::App& command, const Shared& a) {
+    command.add_option("--field", a->field, "JSON list of one number per vertex of the reference");
+    command.add_option("--picture", a->picture, "PNG of where it comes from");
 }
 
 void add_metric(CLI::App& app) {
@@ -235,14 +284,31 @@ void add_metric(CLI::App& app) {
         auto* sub =
             command(*group, name.c_str(), texts.at(name), example.c_str(), a, [a, name, kind] {
                 const Session session(a->common.num_threads);
-                const double value =
-                    metric(session, kind, Mesh(session, a->in), Mesh(session, a->other));
+                const Mesh reference(session, a->in), other(session, a->other);
+                const double value = metric(session, kind, reference, other);
                 std::printf("%.9g\n", value);
+                if (!a->field.empty() || !a->picture.empty())
+                    show_field(*a, reference, metric_field(session, kind, reference, other),
+                               kind == MIEN_METRIC_FMPD, name);
                 write_report(a->common, {{"metric", name}, {"value", value}});
             });
         sub->add_option("reference", a->in, "Reference mesh")->required();
         sub->add_option("other", a->other, "Other mesh")->required();
+        add_field_options(*sub, a);
     }
+    auto a = std::make_shared<Arguments>();
+    auto* sub = command(*group, "roughness", "Local roughness of one mesh, rad: what fmpd is of",
+                        "mien metric roughness face.ply --picture roughness.png", a, [a] {
+                            const Session session(a->common.num_threads);
+                            const Mesh mesh(session, a->in);
+                            const std::vector<double> field = roughness(session, mesh);
+                            const FieldSummary summary = summary_of(field);
+                            std::printf("mean %.9g, largest %.9g\n", summary.mean, summary.most);
+                            show_field(*a, mesh, field, false, "roughness");
+                            write_report(a->common, {{"roughness_rad", summary_json(summary)}});
+                        });
+    sub->add_option("mesh", a->in, "Mesh")->required();
+    add_field_options(*sub, a);
 }
 
 void draw_front(const std::string& path, const std::vector<mien_band_choice>& choices,
@@ -397,6 +463,7 @@ void add_spectral_commands(CLI::App& app) {
     add_basis(*group);
     add_bands(*group);
     add_learning(*group);
+    add_coding_commands(*group);
     add_metric(app);
     add_transfer(app);
 }
