@@ -3270,9 +3270,10 @@ namespace Mien
             }
         }
 
-        /// <summary>Where a distance comes from: one value per vertex of the reference. L1, L2: distance of the two vertices;
-        /// Hausdorff: of the vertex from the other surface; DAME: masked change of the dihedral angles around the vertex,
-        /// rad; FMPD: how much rougher (above 0) or smoother (below 0) the other looks there, after saturation and masking.</summary>
+        /// <summary>Where a distance comes from: one value per vertex of the reference. L1: |dx| + |dy| + |dz|; L2: distance of the
+        /// two vertices; Hausdorff: of the vertex from the other surface; DAME: masked change of the dihedral angles around
+        /// the vertex, rad; FMPD: how much rougher (above 0) or smoother (below 0) the other looks there, after saturation
+        /// and masking.</summary>
         /// <param name="metric">MIEN_METRIC_...</param>
         /// <param name="reference">mm.</param>
         /// <param name="other">mm; the reference's triangles, but for Hausdorff.</param>

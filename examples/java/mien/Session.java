@@ -650,10 +650,10 @@ public final class Session extends NativeObject {
     }
 
     /**
-     * Where a distance comes from: one value per vertex of the reference. L1, L2: distance of the two vertices;
-     * Hausdorff: of the vertex from the other surface; DAME: masked change of the dihedral angles around the
-     * vertex, rad; FMPD: how much rougher (above 0) or smoother (below 0) the other looks there, after saturation
-     * and masking. C: mien_metric_field().
+     * Where a distance comes from: one value per vertex of the reference. L1: |dx| + |dy| + |dz|; L2: distance of
+     * the two vertices; Hausdorff: of the vertex from the other surface; DAME: masked change of the dihedral
+     * angles around the vertex, rad; FMPD: how much rougher (above 0) or smoother (below 0) the other looks
+     * there, after saturation and masking. C: mien_metric_field().
      * @param metric MIEN_METRIC_... See Metric.
      * @param reference mm.
      * @param other mm; the reference's triangles, but for Hausdorff.
