@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Writes everything that repeats the headers: abi/interface.json, and the bindings' declarations and classes.
+"""Writes everything that repeats the headers: abi/interface.json, the guide to functions by task, and the bindings' declarations
+and classes.
 
   generate_bindings.py [--check]     with --check: exit 1 when a written file is out of date
   generate_bindings.py --list        the functions that each language reaches, by the plan
@@ -13,6 +14,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import write_csharp
+import write_guide
 import write_java
 import write_python
 from host_plan import make_plan
@@ -25,6 +27,7 @@ PROJECT = Path(__file__).resolve().parent.parent
 def written(plan):
     """(path, text) of every generated file."""
     yield "abi/interface.json", as_text(plan.interface)
+    yield "docs/guides/functions.md", write_guide.page(plan.interface)
     yield "examples/python/mien/abi.py", write_python.abi_module(plan)
     yield "examples/python/mien/classes.py", write_python.classes_module(plan)
     yield "examples/csharp/Native.cs", write_csharp.native_file(plan)
