@@ -25,7 +25,7 @@ Written by `abi/generate_bindings.py` from the headers; each function's paramete
 def brief(function):
     """The first sentence of the comment, safe in a table."""
     text = re.split(r"(?<=[.)]) (?=[A-Z])", " ".join(function.purpose.split()))[0].rstrip(".")
-    return re.sub(r"([|#*<>_])", r"\\\1", text)
+    return re.sub(r"([|*<>_])", r"\\\1", text)
 
 
 def page(interface):
