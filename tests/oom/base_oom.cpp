@@ -96,9 +96,6 @@ int sweep_decompositions() {
                ends([&] { const Matrix x = random.colPivHouseholderQr().solve(positive); }) &&
                ends([&] {
                    const Eigen::JacobiSVD<Matrix> svd(random.leftCols(9), Eigen::ComputeThinU);
-               }) &&
-               ends([&] {
-                   const Eigen::BDCSVD<Matrix> svd(random.leftCols(20), Eigen::ComputeThinU);
                });
     });
     return sweep.report();

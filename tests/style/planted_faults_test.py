@@ -33,6 +33,7 @@ PLANTED = {
     "a stale exception": ({"tests/style/exceptions.txt": "src/mesh/mesh.cpp f one tight loop\n"}, "is no exception any more"),
     "an exception without a reason": ({"tests/style/exceptions.txt": "src/mesh/mesh.cpp f\n"}, "gives no reason"),
     "a part of Eigen that leaks": ({"src/mesh/solve.cpp": "#include <Eigen/SparseLU>\n"}, "outlive a failed allocation"),
+    "a decomposition that nobody swept": ({"src/mesh/solve.cpp": "Eigen::BDCSVD<Matrix> svd;\n"}, "use JacobiSVD"),
     "a foreign Eigen in the ABI": ({"abi/a.cpp": "#include <unsupported/Eigen/MatrixFunctions>\n"}, "outlive a failed"),
     "a quantile in the command": ({"src/cli/main.cpp": "double limit(double s) { return 1.96 * s; }\n"}, "a quantile"),
 }
