@@ -23,7 +23,7 @@ Landmarks landmarks_of(const Session& session, const FaceSettings& settings) {
     if (settings.model.empty())
         throw std::runtime_error("give the landmarks: --landmarks, or --model for the model's own");
     const Model model(session, settings.model);
-    const Landmarks own = Landmarks::of(model);
+    Landmarks own = Landmarks::of(model);
     try {
         return with_profile(own, model.mesh());
     } catch (const Exception& failure) {

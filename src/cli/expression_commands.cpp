@@ -23,6 +23,7 @@ int number_of(const std::vector<std::pair<std::string, int>>& names, const std::
 
 CLI::IsMember one_of(const std::vector<std::pair<std::string, int>>& names) {
     std::vector<std::string> known;
+    known.reserve(names.size());
     for (const auto& entry : names) known.push_back(entry.first);
     return CLI::IsMember(known);
 }

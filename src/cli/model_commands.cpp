@@ -34,6 +34,7 @@ const std::map<std::string, std::int32_t>& boundaries() {
 template <typename Names>
 std::vector<std::string> keys(const Names& names) {
     std::vector<std::string> list;
+    list.reserve(names.size());
     for (const auto& entry : names) list.push_back(entry.first);
     return list;
 }

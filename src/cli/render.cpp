@@ -287,7 +287,7 @@ Rgb map_color(ColorMap map, double t) {
     const double away = std::fabs(2 * t - 1);
     for (std::size_t k = 0; k < 3; ++k)
         out[k] = static_cast<std::uint8_t>(
-            242 + (end[k] - 242) * (0.35 * away * away + 0.65 * away) + 0.5);
+            std::lround(242 + (end[k] - 242) * (0.35 * away * away + 0.65 * away)));
     return out;
 }
 

@@ -201,15 +201,14 @@ std::vector<std::string> notes_of(const ReportSettings& settings, const Measured
                   " % of the volume that an expression accounted for."
             : "Expressions were not removed: the intervals hold for faces that are held alike.",
         "Faces were aligned on: " + (stable.empty() ? std::string("the whole face") : stable) + ".",
-        "Volumes are exact between corresponding triangles; zones share their edge triangles "
-        "linearly.",
+        std::string("Volumes are exact between corresponding triangles; zones share their edge "
+                    "triangles linearly."),
         "Intervals combine the deviations of both fits, alike over " +
             short_number(m.recipe()["correlation_length_mm"]) +
             " mm, the alignment's and a common bias of " +
             short_number(m.recipe()["common_bias_mm"]) +
-            " mm. Where the errors of a fit are not known, or too little of a zone was seen, none "
-            "is "
-            "given.",
+            " mm. Where the errors of a fit are not known, or too little of a zone was seen, "
+            "none is given.",
         blanks >= 2
             ? "Limits of detection come from " + std::to_string(blanks) +
                   " pairs of captures of the same visit."

@@ -62,6 +62,7 @@ CLI::App* command(CLI::App& parent, const char* name, const char* text, const ch
 
 std::vector<std::string> keys(const std::map<std::string, std::int32_t>& names) {
     std::vector<std::string> result;
+    result.reserve(names.size());
     for (const auto& entry : names) result.push_back(entry.first);
     return result;
 }
@@ -353,6 +354,7 @@ void save_expressions(const Session& session, const Mesh& neutral, const std::ve
     }
     std::vector<const mien_mesh*> targets;
     std::vector<const char*> texts;
+    targets.reserve(faces.size());
     for (const Mesh& face : faces) targets.push_back(face.get());
     for (const std::string& name : names) texts.push_back(name.c_str());
     detail::call(mien_mesh_save_targets, session.get(), neutral.get(), targets.data(), texts.data(),
