@@ -1,8 +1,45 @@
 // mien: everything the library does, without writing code. Exit status: 0 done, 1 failed (one line
 // on stderr: what, where, what to do), 2 wrong usage.
+#include <algorithm>
 #include <cstdio>
 
 #include "commands.hpp"
+#include "suggest.hpp"
+
+namespace {
+
+/// The help lists commands by what they are for, in the order in which a study needs them.
+void group_by_job(CLI::App& app) {
+    static const struct {
+        const char* job;
+        std::vector<std::string> commands;
+    } kJobs[] = {
+        {"Prepare", {"mesh", "landmarks", "model", "train"}},
+        {"Fit a scan", {"register", "transfer"}},
+        {"Take expressions off, put them on", {"neutralize", "expression", "transfer-expression"}},
+        {"Measure and report", {"measure", "report", "score"}},
+        {"Frequencies and networks", {"spectral", "network"}},
+        {"Check and look", {"evaluate", "metric", "render"}}};
+    for (const auto& [job, commands] : kJobs)
+        for (CLI::App* command : app.get_subcommands(nullptr))
+            if (std::find(commands.begin(), commands.end(), command->get_name()) != commands.end())
+                command->group(job);
+}
+
+/// Wrong usage: what was typed, and what was probably meant.
+int wrong_usage(const CLI::App& app, const CLI::ParseError& failure, int argc, char** argv) {
+    const std::vector<std::string> words(argv + 1, argv + argc);
+    std::string advice = mien::cli::unknown_command(app, words);
+    // A misspelled option is told before the required one that it was meant for is missed.
+    const bool by_options = dynamic_cast<const CLI::ExtrasError*>(&failure) != nullptr ||
+                            dynamic_cast<const CLI::RequiredError*>(&failure) != nullptr;
+    if (advice.empty() && by_options) advice = mien::cli::unknown_option(app, words);
+    if (advice.empty() || failure.get_exit_code() == 0) return app.exit(failure) == 0 ? 0 : 2;
+    std::fprintf(stderr, "%s\n", advice.c_str());
+    return 2;
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
     CLI::App app{"Registers 3D face scans, removes facial expressions, measures what changed."};
@@ -23,10 +60,11 @@ int main(int argc, char** argv) {
         mien::cli::add_report_commands(app);
         mien::cli::add_spectral_commands(app);
         mien::cli::add_render_commands(app);
+        group_by_job(app);
         app.parse(argc, argv);
         return 0;
     } catch (const CLI::ParseError& failure) {
-        return app.exit(failure) == 0 ? 0 : 2;
+        return wrong_usage(app, failure, argc, argv);
     } catch (const mien::Exception& failure) {
         std::fprintf(stderr, "mien: %s (%s)\n", failure.what(), mien_status_name(failure.status()));
     } catch (const std::exception& failure) {

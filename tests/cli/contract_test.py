@@ -71,6 +71,37 @@ def setUpModule():
          "--weights", WORK / "register.json", "--out", WORK / "neutral.ply", "--json", WORK / "neutralize.json")
 
 
+class Mistyped(unittest.TestCase):
+    """Wrong words end with status 2 and one line that says what was probably meant."""
+
+    def refused(self, *arguments):
+        status, out, err = run(*arguments)
+        self.assertEqual((status, out), (2, ""))
+        self.assertEqual(len(err.strip().splitlines()), 1, err)
+        return err
+
+    def test_a_command(self):
+        self.assertIn("'register'", self.refused("regster"))
+        self.assertIn("'neutralize'", self.refused("neutralise", "--fitted", "a.ply"))
+        self.assertIn("mien --help", self.refused("xyzzy"))
+
+    def test_a_command_of_a_group(self):
+        self.assertIn("'volume'", self.refused("measure", "volum"))
+        self.assertIn("'build'", self.refused("model", "biuld", "--template", "a.ply"))
+
+    def test_a_command_that_stands_in_a_group(self):
+        self.assertIn("'measure volume'", self.refused("volume", "--before", "a.ply"))
+
+    def test_an_option(self):
+        self.assertIn("'--template'", self.refused("model", "build", "--tempalte", "a.ply", "--out", "b"))
+
+    def test_help_lists_every_command_under_its_job(self):
+        status, out, _ = run("--help")
+        self.assertEqual(status, 0)
+        self.assertNotIn("Subcommands:", out)
+        self.assertLess(out.index("Fit a scan"), out.index("  register "))
+
+
 class MainJob(unittest.TestCase):
     def test_registration_finds_the_face_behind_the_scan(self):
         fitted, truth = ply_vertices(WORK / "fitted.ply"), ply_vertices(WORK / "demo/scan/truth_grin.ply")
