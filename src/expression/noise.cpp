@@ -128,7 +128,7 @@ class FoldMaker {
         Matrix training(span_.neutrals.rows(), static_cast<Index>(kept.size()));
         for (std::size_t k = 0; k < kept.size(); ++k)
             training.col(static_cast<Index>(k)) = span_.neutrals.col(kept[k]);
-        const Vector center = training.rowwise().mean();
+        Vector center = training.rowwise().mean();
         training.colwise() -= center;
         Vector values;
         const Matrix identity =
