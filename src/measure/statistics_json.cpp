@@ -134,6 +134,7 @@ std::string repeatability_json(const std::vector<double>& values, const std::vec
         std::map<int, std::vector<double>> captures;
         for (std::size_t i = 0; i < values.size(); ++i) captures[subjects[i]].push_back(values[i]);
         std::vector<std::vector<double>> lists;
+        lists.reserve(captures.size());
         for (auto& entry : captures) lists.push_back(std::move(entry.second));
         const Repeatability r = repeatability(lists);
         json.field("within_subject_sd", r.within_subject_sd);
