@@ -51,9 +51,10 @@ Motion motion_of(Value node) {
     }
     if (node["matrix"].exists()) {
         const auto m = read_doubles(node["matrix"], 16, "nodes.matrix");
-        for (int column = 0; column < 3; ++column)
-            for (int row = 0; row < 3; ++row)
-                motion.linear(row, column) = m[static_cast<std::size_t>(4 * column + row)];
+        for (std::size_t column = 0; column < 3; ++column)
+            for (std::size_t row = 0; row < 3; ++row)
+                motion.linear(static_cast<Index>(row), static_cast<Index>(column)) =
+                    m[4 * column + row];
         motion.translation = Vector3(m[12], m[13], m[14]);
         return motion;
     }
