@@ -55,7 +55,8 @@ double load_vtk(const char* raw, const VtkType& type, bool swapped) {
 
 void VtkPolyData::add_cells(const std::vector<double>& offsets,
                             const std::vector<double>& connectivity, bool strips) {
-    const double count = static_cast<double>(points.size() / 3);
+    const std::size_t num_points = points.size() / 3;
+    const auto count = static_cast<double>(num_points);
     std::vector<std::uint32_t> corners;
     std::size_t begin = 0;
     for (std::size_t cell = 0; cell < offsets.size(); ++cell) {
