@@ -135,7 +135,7 @@ void check_pieces(const TriMesh& mesh, const TemplateCheckOptions& o, Findings& 
                          "--min-triangles %lld",
                          static_cast<long long>(num_helpers),
                          static_cast<long long>(o.helper_triangles), first_of(helpers).c_str(),
-                         static_cast<long long>(o.helper_triangles + 1)),
+                         static_cast<long long>(o.helper_triangles) + 1),
              helpers});
     if (num_others > 0)
         findings.push_back(

@@ -159,6 +159,7 @@ void carry_inner(const TriMesh& template_mesh, const VertexRings& rings, const P
     const Hanging hanging =
         find_hanging(template_mesh, rings, inner, open, hidden, settings, context);
     std::vector<Carrier> all;
+    all.reserve(open.size());
     for (const std::uint32_t v : open) all.push_back({static_cast<Index>(v), settings.fallback});
 
     const Points moved = places - rest;

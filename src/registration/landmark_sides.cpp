@@ -33,6 +33,7 @@ std::vector<Index> find_partners(const DeformationModel& model, const std::vecto
 std::vector<double> distances(const DeformationModel& model, const std::vector<Pin>& pins,
                               const Similarity& motion) {
     std::vector<double> d;
+    d.reserve(pins.size());
     for (const Pin& pin : pins)
         d.push_back((motion.apply(rest_place(model, pin.vertex)) - pin.place).norm());
     return d;
