@@ -18,10 +18,11 @@ struct Coding {
     std::string file, in, out, field, picture;
     std::uint64_t modes = 500, mode = 0, first = 0;
 };
-using Shared = std::shared_ptr<Coding>;
+using SharedCoding = std::shared_ptr<Coding>;
 
-CLI::App& add(CLI::App& group, const char* name, const char* text, const char* example,
-              const Shared& o, void (*run)(const Coding&)) {
+CLI::App& add_coding_command(CLI::App& group, const char* name, const char* text,
+                             const char* example, const SharedCoding& o,
+                             void (*run)(const Coding&)) {
     CLI::App& command = *group.add_subcommand(name, text);
     add_common_options(command, o->common);
     command.footer(std::string("Example:\n  ") + example);
@@ -156,21 +157,22 @@ void apply_hierarchy(const HierarchyApplication& o) {
 
 void add_coding_commands(CLI::App& group) {
     auto o = std::make_shared<Coding>();
-    CLI::App* command =
-        &add(group, "encode", "A face as features of a representation, safetensors",
-             "mien spectral encode --features features.safetensors --in face.ply --out "
-             "code.safetensors",
-             o, &run_encode);
+    CLI::App* command = &add_coding_command(
+        group, "encode", "A face as features of a representation, safetensors",
+        "mien spectral encode --features features.safetensors --in face.ply --out "
+        "code.safetensors",
+        o, &run_encode);
     command->add_option("--features", o->file, "Representation file")->required();
     command->add_option("--in", o->in, "Face in the representation's topology")->required();
     command->add_option("--out", o->out, "Features [vertices, channels] and motion [12], f64")
         ->required();
 
     o = std::make_shared<Coding>();
-    command = &add(group, "decode", "The face that has these features",
-                   "mien spectral decode --features features.safetensors --in code.safetensors "
-                   "--out face.ply",
-                   o, &run_decode);
+    command = &add_coding_command(
+        group, "decode", "The face that has these features",
+        "mien spectral decode --features features.safetensors --in code.safetensors "
+        "--out face.ply",
+        o, &run_decode);
     command->add_option("--features", o->file, "Representation file")->required();
     command
         ->add_option("--in", o->in,
@@ -180,29 +182,32 @@ void add_coding_commands(CLI::App& group) {
     command->add_option("--out", o->out, "Mesh to write")->required();
 
     o = std::make_shared<Coding>();
-    command = &add(group, "coefficients", "Spectral coefficients of a face, safetensors",
-                   "mien spectral coefficients --basis basis.safetensors --in face.ply --modes 300 "
-                   "--out c.safetensors",
-                   o, &run_coefficients);
+    command = &add_coding_command(
+        group, "coefficients", "Spectral coefficients of a face, safetensors",
+        "mien spectral coefficients --basis basis.safetensors --in face.ply --modes 300 "
+        "--out c.safetensors",
+        o, &run_coefficients);
     command->add_option("--basis", o->file, "Basis file")->required();
     command->add_option("--in", o->in, "Face in the basis' topology")->required();
     command->add_option("--modes", o->modes, "The first of them")->capture_default_str();
     command->add_option("--out", o->out, "Coefficients [modes, 3], f64")->required();
 
     o = std::make_shared<Coding>();
-    command = &add(group, "synthesize", "The face of spectral coefficients",
-                   "mien spectral synthesize --basis basis.safetensors --in c.safetensors --out "
-                   "face.ply",
-                   o, &run_synthesize);
+    command = &add_coding_command(
+        group, "synthesize", "The face of spectral coefficients",
+        "mien spectral synthesize --basis basis.safetensors --in c.safetensors --out "
+        "face.ply",
+        o, &run_synthesize);
     command->add_option("--basis", o->file, "Basis file")->required();
     command->add_option("--in", o->in, "Tensor coefficients [modes, 3]")->required();
     command->add_option("--first", o->first, "Mode of the first row")->capture_default_str();
     command->add_option("--out", o->out, "Mesh to write")->required();
 
     o = std::make_shared<Coding>();
-    command = &add(group, "mode", "An eigenvector of a basis, as numbers and as a picture",
-                   "mien spectral mode --basis basis.safetensors --mode 12 --picture mode12.png", o,
-                   &run_mode);
+    command = &add_coding_command(
+        group, "mode", "An eigenvector of a basis, as numbers and as a picture",
+        "mien spectral mode --basis basis.safetensors --mode 12 --picture mode12.png", o,
+        &run_mode);
     command->add_option("--basis", o->file, "Basis file")->required();
     command->add_option("--mode", o->mode, "From 0, by rising frequency")->required();
     command->add_option("--field", o->field, "JSON list of one number per vertex");

@@ -16,10 +16,11 @@ struct FaceCommand {
     int count = 1;
     std::string format = "ply";
 };
-using Shared = std::shared_ptr<FaceCommand>;
+using SharedFace = std::shared_ptr<FaceCommand>;
 
-CLI::App& add(CLI::App& group, const char* name, const char* text, const char* example,
-              const Shared& o, void (*run)(const FaceCommand&), bool with_seed = false) {
+CLI::App& add_face_command(CLI::App& group, const char* name, const char* text, const char* example,
+                           const SharedFace& o, void (*run)(const FaceCommand&),
+                           bool with_seed = false) {
     CLI::App& command = *group.add_subcommand(name, text);
     command.add_option("model", o->model, "expression model file")->required();
     add_common_options(command, o->common, with_seed);
@@ -105,10 +106,11 @@ void add_face_commands(CLI::App& app) {
     group.require_subcommand(1);
 
     auto o = std::make_shared<FaceCommand>();
-    CLI::App* command = &add(group, "sample", "random identities, with an expression if asked",
-                             "mien expression sample expr.safetensors --expression smile --count 5 "
-                             "--seed 1 --out-dir faces",
-                             o, &run_sample, true);
+    CLI::App* command =
+        &add_face_command(group, "sample", "random identities, with an expression if asked",
+                          "mien expression sample expr.safetensors --expression smile --count 5 "
+                          "--seed 1 --out-dir faces",
+                          o, &run_sample, true);
     command->add_option("--expression", o->expression,
                         "name of an expression, neutral, or any; without it neutral");
     command->add_option("--count", o->count, "faces; face k has the seed + k")
@@ -120,10 +122,11 @@ void add_face_commands(CLI::App& app) {
     command->add_option("--out-dir", o->out_dir, "folder for face_000.ply, ...")->required();
 
     o = std::make_shared<FaceCommand>();
-    command = &add(group, "synthesize", "the face of given coordinates",
-                   "mien expression synthesize expr.safetensors --identity 40,-15 --expression 20 "
-                   "--out face.ply",
-                   o, &run_synthesize);
+    command = &add_face_command(
+        group, "synthesize", "the face of given coordinates",
+        "mien expression synthesize expr.safetensors --identity 40,-15 --expression 20 "
+        "--out face.ply",
+        o, &run_synthesize);
     command->add_option("--identity", o->identity, "first identity coordinates, mm; others are 0")
         ->delimiter(',');
     command
@@ -136,10 +139,11 @@ void add_face_commands(CLI::App& app) {
     command->add_option("--out", o->out, "mesh to write")->required();
 
     o = std::make_shared<FaceCommand>();
-    command = &add(group, "transfer", "one face's expression on another person's face",
-                   "mien expression transfer expr.safetensors --source a_smile.ply --target b.ply "
-                   "--out b_smile.ply",
-                   o, &run_transfer);
+    command = &add_face_command(
+        group, "transfer", "one face's expression on another person's face",
+        "mien expression transfer expr.safetensors --source a_smile.ply --target b.ply "
+        "--out b_smile.ply",
+        o, &run_transfer);
     command->add_option("--source", o->source, "fitted face with the expression")->required();
     command->add_option("--target", o->target, "fitted face of the other person, any expression")
         ->required();
