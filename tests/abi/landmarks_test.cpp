@@ -265,7 +265,9 @@ TEST(Landmarks, OfAProfileLieAtItsBulgesAndHollows) {
         ASSERT_EQ(MIEN_OK, mien_landmarks_get_name(all, k, name, sizeof name, nullptr, nullptr));
         ASSERT_EQ(MIEN_OK, mien_landmarks_get_mark(all, k, nullptr, nullptr, &vertex, nullptr));
         ASSERT_LT(vertex, positions.size()) << name;
-        if (k >= before) EXPECT_EQ(0, positions[vertex][0]) << name;
+        if (k >= before) {
+            EXPECT_EQ(0, positions[vertex][0]) << name;
+        }
         height[name] = positions[vertex][1];
     }
     EXPECT_EQ(58, height.at("glabella"));
