@@ -182,9 +182,7 @@ class Mesh {
     /// Takes over one reference.
     explicit Mesh(mien_mesh* owned) { adopt(owned); }
     /// Adds a reference of its own to a mesh that something else owns.
-    static Mesh share(const mien_mesh* borrowed) {
-        return Mesh(mien_mesh_retain(borrowed));
-    }
+    static Mesh share(const mien_mesh* borrowed) { return Mesh(mien_mesh_retain(borrowed)); }
 
     void save(const Session& session, const std::string& path) const {
         detail::call(mien_mesh_save, session.get(), get(), path.c_str());
