@@ -356,6 +356,7 @@ void save_expressions(const Session& session, const Mesh& neutral, const std::ve
     std::vector<const char*> texts;
     targets.reserve(faces.size());
     for (const Mesh& face : faces) targets.push_back(face.get());
+    texts.reserve(names.size());
     for (const std::string& name : names) texts.push_back(name.c_str());
     detail::call(mien_mesh_save_targets, session.get(), neutral.get(), targets.data(), texts.data(),
                  std::uint64_t{targets.size()}, out.c_str());
