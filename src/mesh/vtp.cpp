@@ -179,9 +179,12 @@ class VtpReader {
 
     /// A file that was cut between two pieces would be read as a smaller mesh.
     void check_end() const {
-        const std::string text(source_.bytes.data, size_);
-        const std::size_t last = text.find_last_of('<');
-        if (last == std::string::npos || ply_lower_case(text.substr(last, 9)) != "</vtkfile")
+        const char *const begin = source_.bytes.data, *const end = begin + size_;
+        const char* last = end;
+        while (last != begin && *(last - 1) != '<') --last;
+        static constexpr std::ptrdiff_t kName = 8;  // what stands behind the last <
+        if (last == begin || end - last < kName ||
+            ply_lower_case(std::string(last, last + kName)) != "/vtkfile")
             fail(Status::bad_format, "the VTP file does not end with </VTKFile>: it was cut short");
     }
 
