@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 
 #include "base/error.hpp"
+#include "base/median.hpp"
 #include "base/scalar_math.hpp"
 #include "geometry/alignment.hpp"
 #include "geometry/normals.hpp"
@@ -21,18 +22,12 @@ Matrix3 cross_matrix(const Vector3& v) {
     return m;
 }
 
-double median_of(std::vector<double> values) {
-    std::nth_element(values.begin(),
-                     values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-    return values[values.size() / 2];
-}
-
 // Tukey weights of the normal residuals. The scale has a floor, so that an exact fit of most pairs
 // does not call the others back.
 Vector robust_weights(const Vector& residuals, const Vector& areas, double extent) {
     std::vector<double> sizes(residuals.data(), residuals.data() + residuals.size());
     for (double& r : sizes) r = std::fabs(r);
-    const double scale = std::max(4.685 * 1.4826 * median_of(sizes), 1e-5 * extent);
+    const double scale = std::max(4.685 * 1.4826 * median(sizes), 1e-5 * extent);
     Vector weights = areas;
     if (!(scale > 0)) return weights;
     for (Index i = 0; i < residuals.size(); ++i) {
