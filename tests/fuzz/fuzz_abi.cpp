@@ -3,20 +3,19 @@
 // headers.
 //
 //   fuzz_abi files|options|calls|sequences [iterations] [seed]
-//     files    damaged files to every reader (models, expression, score, spectral, network and
-//     memory files, meshes);
-//              half of them with their digest put right again, so that the damage is met behind it
-//     options  random values in the fields of options structs
-//     calls    random functions on random live objects, good and wrong ones mixed
+//     files      damaged files to every reader (models, expression, score, spectral, network and
+//                memory files, meshes); half of them with their digest put right again, so that the
+//                damage is met behind it
+//     options    random values in the fields of options structs
+//     calls      random functions on random live objects, good and wrong ones mixed
 //     sequences  the same, eight in a row, whose objects are used by those that follow and given
-//     back in any order
+//                back in any order
 //   fuzz_abi seeds FOLDER
 //     writes a good file of every kind to FOLDER/FUNCTION
 // A known status with a message, a null handle after a failure, and no crash is right. Compiled
 // with MIEN_FUZZER it is driven by libFuzzer: libfuzz_mien_model_load reads what the fuzzer makes
 // as a model file, libfuzz_options, libfuzz_calls and libfuzz_sequences take their choices from its
-// bytes
-// (tests/fuzz/run.sh makes the links).
+// bytes (tests/fuzz/run.sh makes the links).
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
@@ -30,44 +29,18 @@
 #include "abi/abuse/abuse.hpp"
 #include "base/sha256.hpp"
 #include "fuzz/mutate.hpp"
+#include "fuzz/own_folder.hpp"
 
 namespace {
 
 using namespace abuse;
+using mien::fuzz::OwnFolder;
 using mien::fuzz::Random;
+using mien::fuzz::read_file;
+using mien::fuzz::write_file;
 
 bool contains(const std::string& text, const char* part) {
     return text.find(part) != std::string::npos;
-}
-
-class OwnFolder {
-  public:
-    OwnFolder() {
-        std::random_device chance;
-        folder_ =
-            std::filesystem::temp_directory_path() / ("mien_fuzz_" + std::to_string(chance()));
-        std::filesystem::create_directory(folder_);
-        std::filesystem::current_path(folder_);
-    }
-    ~OwnFolder() {
-        std::error_code ignored;
-        std::filesystem::current_path(folder_.parent_path(), ignored);
-        std::filesystem::remove_all(folder_, ignored);
-    }
-    OwnFolder(const OwnFolder&) = delete;
-    OwnFolder& operator=(const OwnFolder&) = delete;
-
-  private:
-    std::filesystem::path folder_;
-};
-
-std::string read_file(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
-void write_file(const std::string& path, const std::string& bytes) {
-    std::ofstream(path, std::ios::binary) << bytes;
 }
 
 /// The digest of the damaged file in its place, where that place is still to be found.
