@@ -7,6 +7,7 @@
 #include "model.hpp"
 #include "model/landmark_names.hpp"
 #include "options.hpp"
+#include "registration/radius.hpp"
 #include "registration/report.hpp"
 #include "session.hpp"
 #include "study/study_face.hpp"
@@ -35,9 +36,6 @@ mien_registration::~mien_registration() {
 }
 
 namespace {
-
-// The radius that holds 95 of 100 places for equal errors on three axes: sqrt of chi-squared(3).
-constexpr double kRadius95 = 2.7955;
 
 /// Allocates nothing: it runs in a function that can report nothing. The core's defaults hold no
 /// memory of their own (tests/oom/abi_defaults_oom.cpp).
@@ -244,7 +242,8 @@ mien_status MIEN_CALL mien_registration_get_field(const mien_registration* regis
                 values = &data.confidence_mm;
                 break;
             case MIEN_REGISTRATION_RADIUS95_MM:
-                scaled = kRadius95 * data.confidence_mm;
+                scaled = radius95_mm(data.confidence_mm, data.verdict,
+                                     checked(registration, "registration").zones);
                 values = &scaled;
                 break;
             case MIEN_REGISTRATION_NORMAL_DEVIATION_MM:

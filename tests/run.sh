@@ -11,15 +11,15 @@ sh cmake/install-packages.sh build test
 
 [ "${MIEN_TEST_STYLE:-short}" = 0 ] || sh tests/style/run.sh
 
-cmake --preset joined -DMIEN_WERROR=ON
+cmake --preset joined -DMIEN_WERROR=ON -DMIEN_TRAINING=OFF
 cmake --build --preset joined
 ctest --preset joined -j 2 --timeout 900
 
 if [ "${MIEN_TEST_TRAINING:-1}" != 0 ]; then
     sh cmake/install-packages.sh training
-    cmake --preset training -DMIEN_WERROR=ON
-    cmake --build --preset training --target mien-train test_training
-    ctest --preset training -R '^training' --timeout 1800
+    cmake --preset joined -DMIEN_WERROR=ON -DMIEN_TRAINING=ON
+    cmake --build --preset joined --target mien-train test_training
+    ctest --preset joined -R '^training' --timeout 1800
 fi
 
 sanitize=${MIEN_TEST_SANITIZE:-short}

@@ -274,7 +274,8 @@ namespace Mien
         Weight = 2,
         /// <summary>of the place, per axis (root mean square)</summary>
         StandardDeviationMm = 3,
-        /// <summary>the true place lies within, 95 times out of 100</summary>
+        /// <summary>the true place lies within, 95 times out of 100: the deviation's pattern in the size of the zone's expected
+        /// error (mien_registration_get_expected_error)</summary>
         Radius95Mm = 4,
         /// <summary>how far the surface may lie off the skin along its normal: what mien_measure_options wants. Since 0.2</summary>
         NormalDeviationMm = 5,

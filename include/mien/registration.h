@@ -128,7 +128,9 @@ enum {
         1, /**< signed distance to the scan, positive: the scan lies outside */
     MIEN_REGISTRATION_WEIGHT = 2, /**< in [0, 1]: how much of the scan's say counted */
     MIEN_REGISTRATION_STANDARD_DEVIATION_MM = 3, /**< of the place, per axis (root mean square) */
-    MIEN_REGISTRATION_RADIUS95_MM = 4, /**< the true place lies within, 95 times out of 100 */
+    MIEN_REGISTRATION_RADIUS95_MM = 4, /**< the true place lies within, 95 times out of 100: the
+                                          deviation's pattern in the size of the zone's expected
+                                          error (mien_registration_get_expected_error) */
     MIEN_REGISTRATION_NORMAL_DEVIATION_MM = 5 /**< how far the surface may lie off the skin along
                                                  its normal: what mien_measure_options wants. Since
                                                  0.2 */

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace mien {
 namespace {
@@ -22,18 +23,40 @@ FitQuality quality_of(double expected_mm, double doubtful_mm, double failed_mm) 
     return expected_mm > doubtful_mm ? FitQuality::doubtful : FitQuality::good;
 }
 
+double log_error(const ErrorTable& table, const std::vector<double>& measures) {
+    const std::size_t splits = (std::size_t{1} << table.depth) - 1, leaves = splits + 1;
+    double sum = table.constant;
+    for (std::size_t tree = 0; (tree + 1) * leaves <= table.leaves.size(); ++tree) {
+        const std::uint8_t* split = table.splits.data() + 2 * splits * tree;
+        std::size_t at = 0;
+        while (at < splits) {
+            const std::size_t input = split[2 * at], number = split[2 * at + 1];
+            const std::vector<double>& limits = table.inputs[input].limits;
+            // A measure without limits stands where a branch ended early: both sides are alike.
+            const bool above = number < limits.size() && measures[input] > limits[number];
+            at = 2 * at + (above ? 2 : 1);
+        }
+        sum += table.leaves[tree * leaves + at - splits] * table.leaf_unit;
+    }
+    return sum;
+}
+
 ExpectedError expect(const ErrorTable& table, const WholeMeasures& whole, const ZoneMeasures& zone,
-                     double face_mm) {
+                     double zones_mm) {
     ExpectedError error;
     error.zone = zone.name;
-    double logarithm = table.constant, most = -1;
-    for (const ErrorCurve& curve : table.curves) {
-        const double here =
-            value_at(curve.at, curve.value, measure_of(curve.measure, whole, zone, face_mm));
-        logarithm += here;
-        const double raised = here - value_at(curve.at, curve.value, curve.right);
-        if (raised > most && curve.measure != FitMeasure::face_mm)
-            most = raised, error.cause = curve.measure;
+    std::vector<double> measures;
+    for (const ErrorInput& input : table.inputs)
+        measures.push_back(measure_of(input.measure, whole, zone, zones_mm));
+    const double logarithm = log_error(table, measures);
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < measures.size(); ++k) {
+        if (table.inputs[k].measure == FitMeasure::zones_mm) continue;
+        const double kept = measures[k];
+        measures[k] = table.inputs[k].right;
+        const double without = log_error(table, measures);
+        if (without < least) least = without, error.cause = table.inputs[k].measure;
+        measures[k] = kept;
     }
     error.expected_mm = std::exp(logarithm);
     error.low_mm =
@@ -93,7 +116,7 @@ const char* words_of(FitMeasure cause) {
                    "and the model";
         case FitMeasure::folds:
             return "triangles are folded over: check the landmarks and the scan";
-        case FitMeasure::face_mm:
+        case FitMeasure::zones_mm:
         case FitMeasure::count:
             return "the whole fit is doubtful";
     }
@@ -103,7 +126,7 @@ const char* words_of(FitMeasure cause) {
 }  // namespace
 
 double measure_of(FitMeasure measure, const WholeMeasures& whole, const ZoneMeasures& zone,
-                  double face_mm) {
+                  double zones_mm) {
     switch (measure) {
         case FitMeasure::unseen:
             return zone.unseen;
@@ -143,8 +166,8 @@ double measure_of(FitMeasure measure, const WholeMeasures& whole, const ZoneMeas
             return whole.is_trained;
         case FitMeasure::no_colors:
             return whole.no_colors;
-        case FitMeasure::face_mm:
-            return face_mm;
+        case FitMeasure::zones_mm:
+            return zones_mm;
         case FitMeasure::open_most_mm:
             return zone.open_most_mm;
         case FitMeasure::asymmetry_mm:
@@ -178,17 +201,22 @@ double measure_of(FitMeasure measure, const WholeMeasures& whole, const ZoneMeas
 std::vector<ExpectedError> expect_errors(const WholeMeasures& whole,
                                          const std::vector<ZoneMeasures>& zones,
                                          const ErrorTables& tables) {
-    std::vector<ExpectedError> errors;
-    for (const ZoneMeasures& zone : zones) {
-        const bool is_face = errors.empty();
-        const double face_mm = is_face ? 0 : errors.front().expected_mm;
-        errors.push_back(expect(is_face ? tables.face : tables.zone, whole, zone, face_mm));
-        errors.back().quality = is_face
-                                    ? quality_of(errors.back().expected_mm, tables.face_doubtful_mm,
-                                                 tables.face_failed_mm)
-                                    : quality_of(errors.back().expected_mm, tables.zone_doubtful_mm,
-                                                 tables.zone_failed_mm);
+    if (zones.empty()) return {};
+    std::vector<ExpectedError> errors(zones.size());
+    double sum = 0;
+    for (std::size_t k = 1; k < zones.size(); ++k) {
+        errors[k] = expect(tables.zone, whole, zones[k], 0);
+        errors[k].quality =
+            quality_of(errors[k].expected_mm, tables.zone_doubtful_mm, tables.zone_failed_mm);
+        sum += errors[k].expected_mm;
     }
+    // A model without zones: the face is the one that it has.
+    const double zones_mm = zones.size() > 1
+                                ? sum / static_cast<double>(zones.size() - 1)
+                                : expect(tables.zone, whole, zones.front(), 0).expected_mm;
+    errors.front() = expect(tables.face, whole, zones.front(), zones_mm);
+    errors.front().quality =
+        quality_of(errors.front().expected_mm, tables.face_doubtful_mm, tables.face_failed_mm);
     return errors;
 }
 

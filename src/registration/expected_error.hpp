@@ -1,11 +1,13 @@
 // How far is a fit from the truth, in mm? Learned from many simulated fits whose truth is known
 // (tests/bench/verdict_fits.py makes them and writes expected_error_table.cpp):
 //
-//   log e_face = a + sum_k f_k(m_k),   log e_zone = b + sum_k g_k(m_k)
+//   log e = constant + sum of boosted trees of the measures (fit_measures.hpp)
 //
-// m_k the measures of fit_measures.hpp, f_k and g_k monotone and linear between a few knots, so
-// that more of any trouble never makes the prediction smaller. One of the zones' measures is the
-// face's own expectation. The range is what held 8 of 10 training fits with a like expectation.
+// one sum for the zones and one for the face, among whose measures is the mean of what is expected
+// of its zones.
+// Trees, because measures speak together: far from any landmark means little where colours agree.
+// All but a few measures are held to one direction, so that more of a trouble never makes the
+// expectation smaller. The range is what held 8 of 10 training fits with a like expectation.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +21,7 @@ namespace mien {
 /// The numbers are the C ABI's numbers.
 enum class FitQuality : std::int32_t { good = 0, doubtful = 1, failed = 2 };
 
-/// What a curve of the table looks at.
+/// What a tree of the table looks at.
 enum class FitMeasure {
     unseen,
     residual_mm,
@@ -40,7 +42,7 @@ enum class FitMeasure {
     is_free,
     is_trained,
     no_colors,
-    face_mm,  ///< what is expected of the whole face; 0 for the face itself
+    zones_mm,  ///< what is expected of its zones in the mean; 0 for a zone
     open_most_mm,
     asymmetry_mm,
     shape_deviation,
@@ -62,19 +64,26 @@ struct ExpectedError {
     double expected_mm = 0;
     double low_mm = 0, high_mm = 0;  ///< 8 of 10 lie between
     FitQuality quality = FitQuality::good;
-    FitMeasure cause = FitMeasure::deviation_mm;  ///< what raises it most above a right fit's
+    FitMeasure cause = FitMeasure::deviation_mm;  ///< which, were it as in right fits, would
+                                                  ///< lower it most
 };
 
-/// Linear between knots, constant outside.
-struct ErrorCurve {
+/// A measure of the table: where trees split it, and its middle among right fits.
+struct ErrorInput {
     FitMeasure measure;
-    double right;  ///< the measure's middle among right fits
-    std::vector<double> at, value;
+    double right;
+    std::vector<double> limits;  ///< ascending
 };
 
+/// log error = constant + sum of trees. A full tree of a depth D has 2^D - 1 splits and 2^D leaves;
+/// from split k it goes on at 2 k + 1, or at 2 k + 2 where the measure is above the limit.
 struct ErrorTable {
     double constant;
-    std::vector<ErrorCurve> curves;
+    int depth;
+    double leaf_unit;  ///< of the logarithm
+    std::vector<ErrorInput> inputs;
+    std::vector<std::uint8_t> splits;  ///< tree after tree: input, number of its limit
+    std::vector<std::int16_t> leaves;  ///< tree after tree, in leaf_unit
     /// Of the logarithm of truth over expectation: tenth and ninetieth percentile, linear between
     /// expectations in mm.
     std::vector<double> at_mm, low, high;
@@ -91,7 +100,7 @@ const ErrorTables& learned_error_tables();
 
 /// Value of a measure.
 double measure_of(FitMeasure measure, const WholeMeasures& whole, const ZoneMeasures& zone,
-                  double face_mm);
+                  double zones_mm);
 
 /// One for each of `zones`, whose first is the whole face.
 std::vector<ExpectedError> expect_errors(const WholeMeasures& whole,

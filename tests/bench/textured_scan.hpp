@@ -17,6 +17,7 @@
 #include "base/error.hpp"
 #include "mesh/cleaning.hpp"
 #include "mesh/decimation.hpp"
+#include "mesh/manifold.hpp"
 #include "mesh/mesh_file.hpp"
 #include "spatial/triangle_tree.hpp"
 
@@ -104,7 +105,8 @@ inline TriMesh form_of(const ColoredScan& dense, Index num_vertices, const Conte
     TriMesh mesh;
     mesh.vertices = dense.mesh.vertices;
     mesh.triangles = dense.mesh.triangles;
-    if (num_vertices != 0) mesh = decimate(dense.mesh, num_vertices, context).mesh;
+    if (num_vertices != 0)
+        mesh = decimate(make_manifold(mesh, context).mesh, num_vertices, context).mesh;
     return mesh;
 }
 

@@ -9,8 +9,8 @@ fit: cases of verdict_cases.py (people of the seeds; every kind of trouble; with
 MODELS: ict_kernel, ict_trained, ict_other, mh_kernel, mh_trained (.safetensors). Each row is flushed; a run that was cut off
 goes on where it stopped. The truth of a zone is the mean distance of those of its vertices that the untroubled scan shows;
 of an ICT template on a MakeHuman face, whose vertices do not correspond, that of the landmarks of nose, eyes and mouth.
-learn: additive curves, monotone and linear between knots, of log error (expected_error.hpp), by nonnegative least squares
-on most rows; ranges and limits by those left out, a tenth of the people at a time. judge: how a table does on rows that it was not learned from.
+learn: boosted trees of log error, most measures held to one direction (expected_error.hpp); ranges and limits by people left
+out, a tenth of them at a time. judge: how a table does on rows that it was not learned from.
 """
 import argparse
 import json
@@ -23,6 +23,7 @@ from pathlib import Path
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
+import verdict_table
 from verdict_cases import Population, cases_of
 
 MODELS = {"ict": ("ict_kernel", "ict_trained", "ict_other"), "mh": ("mh_kernel", "mh_trained", "ict_kernel", "ict_trained")}
@@ -89,9 +90,15 @@ def fit_one(a, population, populations, case, model, marks, work):
     row = {k: report[k] for k in keep if k in report}
     row["truth"] = true_errors(population, None if own else populations["ict"], case, fitted)
     if own and case["truth"] is not None:
-        d, radius = np.linalg.norm(fitted - case["truth"], axis=1), np.array(report["radius95_mm"])
+        d = np.linalg.norm(fitted - case["truth"], axis=1)
+        radius, deviation = np.array(report["radius95_mm"]), np.array(report["standard_deviation_mm"])
         use = {z: v[case["visible"][v]] for z, v in population.zones.items()}
-        row["within"] = {z: float((d[v] <= radius[v]).mean()) for z, v in use.items() if len(v) >= 10}
+        use = {z: v for z, v in use.items() if len(v) >= 10}
+        row["within"] = {z: float((d[v] <= radius[v]).mean()) for z, v in use.items()}
+        # Quantiles of distance over stated deviation: what any radius would have held.
+        share = d / np.maximum(deviation, 1e-9)
+        row["of_deviation"] = {z: [round(float(q), 4) for q in np.quantile(share[v], verdict_table.OF_DEVIATION)]
+                               for z, v in use.items()}
     return row
 
 
@@ -107,12 +114,11 @@ def main():
     p.add_argument("--options", default="", help="more options of mien register")
     p.set_defaults(run=fit_all)
     for name in ("learn", "judge"):
-        import verdict_table
         p = sub.add_parser(name)
         p.add_argument("rows", nargs="+")
         p.add_argument("--out")
         p.add_argument("--against", nargs="+", help="learn: rows of other people, to hold the table against")
-        p.set_defaults(run=getattr(verdict_table, name))
+        p.set_defaults(run={"learn": verdict_table.learn, "judge": verdict_table.judge}[name])
     a = parser.parse_args()
     a.run(a)
 

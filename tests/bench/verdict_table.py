@@ -4,19 +4,25 @@ import textwrap
 from pathlib import Path
 
 import numpy as np
-from scipy.optimize import nnls
 
 ZONE = ("unseen", "residual_mm", "open_mm", "turn", "deviation_mm", "stretch", "landmark_mm", "open_most_mm", "asymmetry_mm",
-        "shape_deviation", "slid_mm", "pin_far_mm", "pin_misfit_mm", "color_doubt")
-WHOLE = ("search_miss", "landmark_misfit", "landmarks_out", "color_miss", "trained_deviation", "kernel_deviation", "size", "folds",
-         "is_free", "no_colors", "lips_miss", "brows_miss", "worst_open_mm", "worst_unseen")
+        "shape_deviation", "slid_mm", "pin_far_mm", "pin_misfit_mm", "color_hold", "color_doubt")
+WHOLE = ("search_miss", "landmark_misfit", "landmarks_out", "color_miss", "trained_deviation", "kernel_deviation", "kernel_mm",
+         "size", "folds", "is_free", "is_trained", "no_colors", "lips_miss", "brows_miss", "worst_open_mm", "worst_unseen")
 LOWERS = ("is_trained", "color_hold")          # more of it makes the error smaller
-ZONE_WHOLE = ("search_miss", "color_miss", "trained_deviation", "kernel_deviation", "kernel_mm", "size")
+EITHER = ("kernel_mm", "pin_far_mm", "is_free", "no_colors")  # what it means hangs on the others
+ZONE_NAMES = ZONE + WHOLE
+# What its zones are expected to be off, in the mean, tells most of a face; of its landmarks landmark_misfit does.
+FACE_NAMES = ("zones_mm",) + tuple(n for n in ZONE if n != "landmark_mm") + WHOLE
 LEAST_MM, MOST_MM, NO_FACE_MM = .3, 30., 30.
-QUANTILES = (.1, .5, .97)
-RIDGE, LEAST_RISE, HUBER = 1., .02, .35
+TREES = {True: 60, False: 120}                 # of the face, of the zones
+DEPTH, RATE, LEAST_LEAF, RIDGE, BINS = 4, .1, {True: 15, False: 60}, 1., 48
+LEAF_STEPS = 1e4                               # per unit of the logarithm
 FOLDS = 10
+OF_DEVIATION = (.1, .2, .3, .4, .5, .6, .7, .8, .9, .95, .99, 1)  # quantiles of distance over stated deviation in a row
+OF_SIGMA, OF_EXPECTED, FACTORS = 2.7955, (1., 1.03, 1.06, 1.1), (.6, 30.)   # radius.hpp
 WRONG_MM, RIGHT_MM = 3., 1.5
+WRONG_SHARE = .005                             # of the wrong, called good
 
 
 def load(paths):
@@ -38,64 +44,69 @@ def samples(rows, whole):
     return out
 
 
-def knots_of(values):
-    at = np.unique(np.round(np.quantile(values, QUANTILES), 6))
-    return at if len(at) > 1 else None
-
-
 class Table:
-    """log error = constant + sum of curves."""
+    """log error = constant + sum of trees: boosted, each measure bounded to one direction where it has one."""
 
-    def __init__(self, features, truth, names):
+    def __init__(self, features, truth, names, whole):
+        from sklearn.ensemble import HistGradientBoostingRegressor  # nothing else here needs Debian's python3-sklearn
         y = np.log(np.clip(truth, LEAST_MM, MOST_MM))
-        columns, self.owner, self.knots = [], [], {}
-        for name in names:
-            x = np.array([f[name] for f in features])
-            at = knots_of(x)
-            if at is None:
-                continue
-            self.knots[name] = at
-            for b in self.basis(name, x):
-                columns.append(b * (-1 if name in LOWERS else 1))
-                self.owner.append(name)
-        a = np.stack(columns, 1)
-        w = np.ones(len(y))
-        for _ in range(8):                         # Huber's weights: a few lost fits do not bend the curves
-            mean, middle = np.average(a, axis=0, weights=w), np.average(y, weights=w)
-            s = np.sqrt(w)[:, None]
-            design = np.concatenate([(a - mean) * s, np.sqrt(RIDGE * len(y) / 100) * np.eye(a.shape[1])])
-            self.rise = nnls(design, np.r_[(y - middle) * s[:, 0], np.zeros(a.shape[1])])[0]
-            self.constant = middle - mean @ self.rise
-            left = y - self.constant - a @ self.rise
-            w = np.minimum(1, HUBER / np.maximum(np.abs(left), 1e-9))
+        x = np.array([[f[n] for n in names] for f in features])
+        direction = [-1 if n in LOWERS else 0 if n in EITHER else 1 for n in names]
+        model = HistGradientBoostingRegressor(
+            learning_rate=RATE, max_iter=TREES[whole], max_depth=DEPTH, max_leaf_nodes=2 ** DEPTH, l2_regularization=RIDGE,
+            min_samples_leaf=LEAST_LEAF[whole], max_bins=BINS, early_stopping=False, monotonic_cst=direction).fit(x, y)
+        self.names, self.constant = names, round(float(model._baseline_prediction.ravel()[0]), 6)
+        nodes = [trees[0].nodes for trees in model._predictors]
+        # Thresholds as they are written; a split names its measure and the place of its threshold.
+        inner = [(n["feature_idx"], rounded(n["num_threshold"])) for t in nodes for n in t if not n["is_leaf"]]
+        self.limits = [sorted({limit for feature, limit in inner if feature == k}) for k in range(len(names))]
+        self.trees = [self.complete(t) for t in nodes]
         right = truth < RIGHT_MM
-        self.right = {n: float(np.median([f[n] for f, r in zip(features, right) if r])) for n in self.knots}
+        self.right = [float(np.median(x[right, k])) for k in range(len(names))]
 
-    def basis(self, name, x):
-        at = self.knots[name]
-        return [np.clip((x - at[k - 1]) / (at[k] - at[k - 1]), 0, 1) for k in range(1, len(at))]
+    def complete(self, nodes):
+        """Splits (measure, limit) and leaves of the full tree of that depth; a leaf above its floor is repeated."""
+        splits, leaves = [(0, 0)] * (2 ** DEPTH - 1), [0] * 2 ** DEPTH
+
+        def fill(at, place, level):
+            node = nodes[at]
+            if level == DEPTH:
+                leaves[place - (2 ** DEPTH - 1)] = int(round(float(node["value"]) * LEAF_STEPS))
+                return
+            if node["is_leaf"]:
+                left = right = at
+            else:
+                k = int(node["feature_idx"])
+                splits[place] = (k, self.limits[k].index(rounded(node["num_threshold"])))
+                left, right = int(node["left"]), int(node["right"])
+            fill(left, 2 * place + 1, level + 1)
+            fill(right, 2 * place + 2, level + 1)
+
+        fill(0, 0, 0)
+        return splits, leaves
 
     def log_error(self, features):
-        out, k = np.full(len(features), self.constant), 0
-        for name in self.knots:
-            for b in self.basis(name, np.array([f[name] for f in features])):
-                out += self.rise[k] * b * (-1 if name in LOWERS else 1)
-                k += 1
+        x = np.array([[f[n] for n in self.names] for f in features])
+        out = np.full(len(x), self.constant)
+        for splits, leaves in self.trees:
+            at = np.zeros(len(x), int)
+            measure = np.array([k for k, _ in splits])
+            limit = np.array([self.limits[k][j] if self.limits[k] else 0. for k, j in splits])
+            for _ in range(DEPTH):
+                at = 2 * at + 1 + (x[np.arange(len(x)), measure[at]] > limit[at])
+            out += np.array(leaves)[at - len(splits)] / LEAF_STEPS
         return out
 
-    def curves(self):
-        for name in self.knots:
-            rise = np.array([r for r, o in zip(self.rise, self.owner) if o == name])
-            value = np.r_[0, np.cumsum(rise)] * (-1 if name in LOWERS else 1) + 0.
-            if np.abs(value).max() >= LEAST_RISE:
-                yield name, self.right[name], self.knots[name], value
+
+def rounded(value):
+    return float(f"{float(value):.6g}")
 
 
 def person(row):
     return "-".join(row["key"].split("-")[:3])
 
 
-def across_people(data, names):
+def across_people(data, names, whole):
     """Log error of each sample by a table that did not see its person."""
     people = sorted({person(r) for _, _, r, _ in data})
     fold = {p: k % FOLDS for k, p in enumerate(np.random.default_rng(5).permutation(people))}
@@ -103,7 +114,7 @@ def across_people(data, names):
     out = np.empty(len(data))
     for k in range(FOLDS):
         train = [d for d, f in zip(data, fold) if f != k]
-        table = Table([d[0] for d in train], np.array([d[1] for d in train]), names)
+        table = Table([d[0] for d in train], np.array([d[1] for d in train]), names, whole)
         out[fold == k] = table.log_error([d[0] for d, f in zip(data, fold) if f == k])
     return out
 
@@ -116,10 +127,30 @@ def ranges(expected, truth):
     return [(a, min(b, 0.), max(c, 0.)) for a, b, c in rows]
 
 
+def radii(rows, expected, failed_mm):
+    """What radii of the size of a zone's expectation (radius.hpp) would have held, of fits that did not fail.
+
+    expected: {(id of a row, zone): mm}, of people left out."""
+    levels = np.r_[0., OF_DEVIATION]
+    data = [(r, z, np.r_[0., q]) for r in rows for z, q in r.get("of_deviation", {}).items()
+            if z != "face" and z in r["zones"] and expected[id(r), "face"] <= failed_mm]
+    for scale in OF_EXPECTED:
+        held = []
+        for r, z, quantiles in data:
+            factor = np.clip(scale * expected[id(r), z] / r["zones"][z]["deviation_mm"], *FACTORS)
+            held.append(np.interp(OF_SIGMA * factor, quantiles, levels))
+        held = np.array(held)
+        text = f"radii of {scale:g} times the expected error: {len(held)} zones, held {held.mean():.3f}"
+        for key in (lambda r, z: z, lambda r, z: r["trouble"], lambda r, z: r["marks"], lambda r, z: r["model"]):
+            of = np.array([key(r, z) for r, z, _ in data])
+            text += "\n   " + ", ".join(f"{v} {held[of == v].mean():.3f}" for v in sorted(set(of)))
+        print(text, flush=True)
+
+
 def limits(expected, truth):
-    """Doubtful: just below the expectation under which a hundredth of the wrong would be called good."""
+    """Doubtful: just below the expectation under which WRONG_SHARE of the wrong would be called good."""
     wrong = np.sort(expected[truth > WRONG_MM])
-    doubtful = .99 * float(wrong[int(.01 * len(wrong))]) if len(wrong) else WRONG_MM
+    doubtful = .99 * float(wrong[int(WRONG_SHARE * len(wrong))]) if len(wrong) else WRONG_MM
     return doubtful, float(max(2.2 * doubtful, 5.))
 
 
@@ -138,27 +169,38 @@ def describe(label, expected, truth, low=None, high=None, doubtful=None):
     print(text, flush=True)
 
 
+def give_zones_mm(faces, expectation):
+    """Adds zones_mm to the faces' measures: mean of expectation(row, zone), mm, over the zones."""
+    for features, _, row, _ in faces:
+        values = [expectation(row, z) for z in row["zones"] if z != "face"]
+        features["zones_mm"] = float(np.mean(values or [expectation(row, "face")]))
+
+
+def expectation_of(table):
+    return lambda row, zone: float(np.exp(table.log_error([{**row["zones"][zone], **row["measures"]}])[0]))
+
+
 def learn(a):
     rows = load(a.rows)
-    faces, zones = samples(rows, True), samples(rows, False)
-    truth = np.array([d[1] for d in faces])
-    names = tuple(n for n in ZONE if n != "landmark_mm") + WHOLE + LOWERS  # of the face: landmark_misfit tells the same
-    face_held = np.exp(across_people(faces, names))
-    face_limits = limits(face_held, truth)
-    describe("face, people left out", face_held, truth, doubtful=face_limits[0])
-    face = Table([d[0] for d in faces], truth, names)
-    expected = {id(d[2]): e for d, e in zip(faces, face_held)}
-    for d in zones:
-        d[0]["face_mm"] = expected[id(d[2])]
-    zone_truth = np.array([d[1] for d in zones])
-    zone_names = ("face_mm",) + ZONE + ("is_free",) + ZONE_WHOLE + LOWERS
-    zone_held = np.exp(across_people(zones, zone_names))
+    zones, faces = samples(rows, False), samples(rows, True)
+    zone_truth, truth = np.array([d[1] for d in zones]), np.array([d[1] for d in faces])
+    zone_held = np.exp(across_people(zones, ZONE_NAMES, False))
     zone_limits = limits(zone_held, zone_truth)
     describe("zones, people left out", zone_held, zone_truth, doubtful=zone_limits[0])
     for name in sorted({d[3] for d in zones}):
         m = np.array([d[3] == name for d in zones])
         describe("  " + name, zone_held[m], zone_truth[m], doubtful=zone_limits[0])
-    zone = Table([d[0] for d in zones], zone_truth, zone_names)
+    zone = Table([d[0] for d in zones], zone_truth, ZONE_NAMES, False)
+    held, of_all = {(id(d[2]), d[3]): e for d, e in zip(zones, zone_held)}, expectation_of(zone)
+    # Zones of things that are no face have no truth: no table saw them.
+    give_zones_mm(faces, lambda r, z: held[id(r), z] if (id(r), z) in held else of_all(r, z))
+    face_held = np.exp(across_people(faces, FACE_NAMES, True))
+    face_limits = limits(face_held, truth)
+    describe("face, people left out", face_held, truth, doubtful=face_limits[0])
+    face = Table([d[0] for d in faces], truth, FACE_NAMES, True)
+    held.update({(id(d[2]), "face"): e for d, e in zip(faces, face_held)})
+    if any("of_deviation" in r for r in rows):
+        radii(rows, held, face_limits[1])
     face_spread, zone_spread = ranges(face_held, truth), ranges(zone_held, zone_truth)
     if a.out:
         write(a.out, rows, (face, face_spread, face_limits), (zone, zone_spread, zone_limits))
@@ -169,14 +211,11 @@ def learn(a):
 def hold_against(path, face, zone):
     """The tables on fits of people that they were not learned from: what the command will say of them."""
     rows = load(path)
-    expected = {}
-    for label, whole, (table, spread, (doubtful, _)) in (("face", True, face), ("zones", False, zone)):
+    for label, whole, (table, spread, (doubtful, _)) in (("zones", False, zone), ("face", True, face)):
         data = samples(rows, whole)
-        if not whole:
-            data = [({**f, "face_mm": expected[id(r)]}, t, r, z) for f, t, r, z in data]
-        e, truth = np.exp(table.log_error([d[0] for d in data])), np.array([d[1] for d in data])
         if whole:
-            expected = {id(d[2]): x for d, x in zip(data, e)}
+            give_zones_mm(data, expectation_of(zone[0]))
+        e, truth = np.exp(table.log_error([d[0] for d in data])), np.array([d[1] for d in data])
         at, low, high = (np.array(v) for v in zip(*spread))
         bound = lambda v: e * np.exp(np.interp(e, at, v))
         describe(f"{label}, other people", e, truth, bound(low), bound(high), doubtful)
@@ -189,8 +228,8 @@ def hold_against(path, face, zone):
                 for value in sorted({d[2][key] for d in data}):
                     m = np.array([d[2][key] == value for d in data])
                     print(f"  {key} {value}: {m.sum()}, truth {np.median(truth[m]):.2f} expected {np.median(e[m]):.2f} mm in the "
-                          f"middle, good {(e[m] <= doubtful).sum()}, beyond {WRONG_MM} mm {(truth[m] > WRONG_MM).sum()}, of these "
-                          f"good {((e <= doubtful) & m & (truth > WRONG_MM)).sum()}")
+                          f"middle, good {(e[m] <= doubtful).sum()}, beyond {WRONG_MM} mm {(truth[m] > WRONG_MM).sum()}, of "
+                          f"these good {((e <= doubtful) & m & (truth > WRONG_MM)).sum()}")
 
 
 def numbers(values):
@@ -204,18 +243,39 @@ def write(path, rows, face, zone):
         f"Written by tests/bench/verdict_fits.py learn; do not edit. {len(rows)} fits of {len(people)} people, seeds "
         f"{', '.join(seeds)} of verdict_cases.py, by kernel and trained models of two populations.", 97)
     lines = ["// " + line for line in comment.splitlines()]
-    lines += ['#include "registration/expected_error.hpp"', "", "namespace mien {", "namespace {", ""]
-    for label, (table, spread, _) in (("face", face), ("zone", zone)):
-        lines += [f"ErrorTable {label}_table() {{", "    using M = FitMeasure;", "    ErrorTable table;",
-                  f"    table.constant = {table.constant:.6g};", "    table.curves = {"]
-        lines += [f"{{M::{name}, {right:.6g}, {{{numbers(at)}}}, {{{numbers(value)}}}}},"
-                  for name, right, at, value in table.curves()]
+    lines += ['#include "registration/expected_error.hpp"', "", "#include <iterator>", "", "namespace mien {", "namespace {", "",
+              "using M = FitMeasure;", "", "struct Input {", "    FitMeasure measure;", "    double right;",
+              "    int num_limits;", "};", ""]
+    for label, (table, _, _) in (("Face", face), ("Zone", zone)):
+        lines += [f"// {len(table.trees)} trees.", f"constexpr Input k{label}Inputs[] = {{"]
+        lines += [f"{{M::{name}, {right:.6g}, {len(limits)}}},"
+                  for name, right, limits in zip(table.names, table.right, table.limits)]
+        lines += ["};", f"constexpr double k{label}Limits[] = {{"]
+        lines += [numbers(limits) + "," for limits in table.limits if limits]
+        lines += ["};", f"constexpr std::uint8_t k{label}Splits[] = {{"]
+        lines += [", ".join(f"{k}, {j}" for k, j in splits) + "," for splits, _ in table.trees]
+        lines += ["};", f"constexpr std::int16_t k{label}Leaves[] = {{"]
+        lines += [", ".join(map(str, leaves)) + "," for _, leaves in table.trees]
+        lines += ["};", ""]
+    lines += ["template <std::size_t I, std::size_t S, std::size_t L>",
+              "ErrorTable table_of(double constant, const Input (&inputs)[I], const double* limits,",
+              "                    const std::uint8_t (&splits)[S], const std::int16_t (&leaves)[L]) {",
+              "    ErrorTable table{};", "    table.constant = constant;", f"    table.depth = {DEPTH};",
+              f"    table.leaf_unit = {1 / LEAF_STEPS:g};", "    for (const Input& input : inputs) {",
+              "        table.inputs.push_back({input.measure, input.right, {limits, limits + input.num_limits}});",
+              "        limits += input.num_limits;", "    }",
+              "    table.splits.assign(std::begin(splits), std::end(splits));",
+              "    table.leaves.assign(std::begin(leaves), std::end(leaves));", "    return table;", "}", "",
+              "ErrorTables learned() {", "    ErrorTables tables{};"]
+    for label, (table, spread, bounds) in (("face", face), ("zone", zone)):
         at, low, high = zip(*spread)
-        lines += ["    };", f"    table.at_mm = {{{numbers(at)}}};", f"    table.low = {{{numbers(low)}}};",
-                  f"    table.high = {{{numbers(high)}}};", "    return table;", "}", ""]
-    lines += ["}  // namespace", "", "const ErrorTables& learned_error_tables() {",
-              "static const ErrorTables tables{face_table(), zone_table(), "
-              f"{numbers(face[2])}, {numbers(zone[2])}}};", "    return tables;", "}", "", "}  // namespace mien"]
+        name = label.capitalize()
+        lines += [f"    tables.{label} = table_of({table.constant:.6g}, k{name}Inputs, k{name}Limits, k{name}Splits, "
+                  f"k{name}Leaves);", f"    tables.{label}.at_mm = {{{numbers(at)}}};",
+                  f"    tables.{label}.low = {{{numbers(low)}}};", f"    tables.{label}.high = {{{numbers(high)}}};",
+                  f"    tables.{label}_doubtful_mm = {bounds[0]:.6g};", f"    tables.{label}_failed_mm = {bounds[1]:.6g};"]
+    lines += ["    return tables;", "}", "", "}  // namespace", "", "const ErrorTables& learned_error_tables() {",
+              "    static const ErrorTables tables = learned();", "    return tables;", "}", "", "}  // namespace mien"]
     Path(path).write_text("\n".join(lines) + "\n")
 
 

@@ -394,7 +394,8 @@ class RegistrationKind(enum.IntEnum):
     WEIGHT = 2
     #: of the place, per axis (root mean square)
     STANDARD_DEVIATION_MM = 3
-    #: the true place lies within, 95 times out of 100
+    #: the true place lies within, 95 times out of 100: the deviation's pattern in the size of the zone's
+    #: expected error (mien_registration_get_expected_error)
     RADIUS95_MM = 4
     #: how far the surface may lie off the skin along its normal: what mien_measure_options wants. Since 0.2
     NORMAL_DEVIATION_MM = 5

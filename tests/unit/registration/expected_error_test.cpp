@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 
 #include "registration/registration.hpp"
 #include "small_face.hpp"
@@ -16,17 +17,78 @@ std::vector<ExpectedError> expected_of(const ZoneMeasures& zone, const WholeMeas
     return expect_errors(whole, {zone, zone}, learned_error_tables());
 }
 
+// Plausible measures of a fit, each drawn on its own.
+void draw(std::mt19937& chance, ZoneMeasures& zone, WholeMeasures& whole) {
+    const auto up_to = [&](double most) {
+        return std::uniform_real_distribution<double>(0, most)(chance);
+    };
+    zone.unseen = up_to(1), zone.residual_mm = up_to(1), zone.open_mm = up_to(3);
+    zone.turn = up_to(0.3), zone.deviation_mm = up_to(5), zone.stretch = up_to(0.4);
+    zone.landmark_mm = up_to(6), zone.open_most_mm = zone.open_mm + up_to(3);
+    zone.asymmetry_mm = up_to(3), zone.shape_deviation = up_to(3), zone.slid_mm = up_to(5);
+    zone.pin_far_mm = up_to(100), zone.pin_misfit_mm = up_to(6), zone.color_hold = up_to(1);
+    zone.color_doubt = up_to(1);
+    whole.search_miss = up_to(0.6), whole.landmark_misfit = up_to(4), whole.kernel_mm = up_to(8);
+    whole.color_miss = up_to(1), whole.trained_deviation = up_to(3), whole.size = up_to(0.2);
+    whole.kernel_deviation = up_to(1), whole.folds = up_to(0.003), whole.lips_miss = up_to(1);
+    whole.brows_miss = up_to(1), whole.worst_open_mm = up_to(4), whole.worst_unseen = up_to(1);
+    whole.landmarks_out = up_to(0.5), whole.is_free = up_to(1) > 0.5;
+    whole.is_trained = up_to(1) > 0.5, whole.no_colors = up_to(1) > 0.5;
+}
+
 // More of a trouble must never look better: a table of many numbers could learn that by chance.
 TEST(ExpectedError, NeverFallsWhenTroubleGrows) {
-    for (const ErrorTable* table : {&learned_error_tables().face, &learned_error_tables().zone})
-        for (const ErrorCurve& curve : table->curves) {
-            ASSERT_EQ(curve.at.size(), curve.value.size());
-            EXPECT_TRUE(std::is_sorted(curve.at.begin(), curve.at.end()));
-            if (curve.measure == FitMeasure::is_trained || curve.measure == FitMeasure::color_hold)
-                EXPECT_TRUE(std::is_sorted(curve.value.rbegin(), curve.value.rend()));
-            else
-                EXPECT_TRUE(std::is_sorted(curve.value.begin(), curve.value.end()));
+    std::mt19937 chance(7);
+    const std::vector<double ZoneMeasures::*> of_zone = {
+        &ZoneMeasures::unseen,      &ZoneMeasures::residual_mm,     &ZoneMeasures::open_mm,
+        &ZoneMeasures::turn,        &ZoneMeasures::deviation_mm,    &ZoneMeasures::stretch,
+        &ZoneMeasures::landmark_mm, &ZoneMeasures::open_most_mm,    &ZoneMeasures::asymmetry_mm,
+        &ZoneMeasures::slid_mm,     &ZoneMeasures::shape_deviation, &ZoneMeasures::pin_misfit_mm,
+        &ZoneMeasures::color_doubt};
+    const std::vector<double WholeMeasures::*> of_whole = {
+        &WholeMeasures::search_miss,   &WholeMeasures::landmark_misfit,
+        &WholeMeasures::landmarks_out, &WholeMeasures::color_miss,
+        &WholeMeasures::size,          &WholeMeasures::trained_deviation,
+        &WholeMeasures::folds,         &WholeMeasures::kernel_deviation,
+        &WholeMeasures::lips_miss,     &WholeMeasures::brows_miss,
+        &WholeMeasures::worst_open_mm, &WholeMeasures::worst_unseen};
+    for (int draws = 0; draws < 300; ++draws) {
+        ZoneMeasures zone;
+        WholeMeasures whole;
+        draw(chance, zone, whole);
+        const std::vector<ExpectedError> before = expected_of(zone, whole);
+        const auto no_better = [&](const ZoneMeasures& worse_zone, const WholeMeasures& worse) {
+            const std::vector<ExpectedError> after = expected_of(worse_zone, worse);
+            for (std::size_t k = 0; k < after.size(); ++k)
+                EXPECT_GE(after[k].expected_mm, before[k].expected_mm * (1 - 1e-12));
+        };
+        for (const auto measure : of_zone) {
+            ZoneMeasures worse = zone;
+            worse.*measure = worse.*measure * 1.7 + 0.01;
+            no_better(worse, whole);
         }
+        for (const auto measure : of_whole) {
+            WholeMeasures worse = whole;
+            worse.*measure = worse.*measure * 1.7 + 0.01;
+            no_better(zone, worse);
+        }
+    }
+}
+
+TEST(ExpectedError, TablesAreWhole) {
+    for (const ErrorTable* table : {&learned_error_tables().face, &learned_error_tables().zone}) {
+        const std::size_t leaves = std::size_t{1} << table->depth;
+        ASSERT_GT(table->leaves.size(), 0u);
+        ASSERT_EQ(table->leaves.size() % leaves, 0u);
+        ASSERT_EQ(table->splits.size(), table->leaves.size() / leaves * (leaves - 1) * 2);
+        for (std::size_t k = 0; k < table->splits.size(); k += 2) {
+            ASSERT_LT(table->splits[k], table->inputs.size());
+            const std::size_t limits = table->inputs[table->splits[k]].limits.size();
+            ASSERT_LT(table->splits[k + 1], std::max<std::size_t>(limits, 1));
+        }
+        for (const ErrorInput& input : table->inputs)
+            EXPECT_TRUE(std::is_sorted(input.limits.begin(), input.limits.end()));
+    }
 }
 
 TEST(ExpectedError, LiesWithinItsRange) {
@@ -42,8 +104,13 @@ TEST(ExpectedError, LiesWithinItsRange) {
 
 TEST(ExpectedError, NamesTheMeasureThatRaisesItMost) {
     ErrorTables tables;
+    // Two trees of one split: 0.5 for what is not seen, 2 for turned normals.
     tables.face = {0,
-                   {{FitMeasure::unseen, 0, {0, 1}, {0, 1}}, {FitMeasure::turn, 0, {0, 1}, {0, 2}}},
+                   1,
+                   0.5,
+                   {{FitMeasure::unseen, 0, {0.2}}, {FitMeasure::turn, 0, {0.1}}},
+                   {0, 0, 1, 0},
+                   {0, 1, 0, 4},
                    {1},
                    {-0.5},
                    {0.5}};
