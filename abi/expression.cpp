@@ -21,8 +21,7 @@ mien_train_options default_train_options() {
     const JointSpanOptions span;
     mien_train_options options{};
     options.method = MIEN_TRAIN_JPCA;
-    options.identity_modes = static_cast<std::int32_t>(subspaces.identity_modes);
-    options.expression_modes = static_cast<std::int32_t>(subspaces.expression_modes);
+    options.identity_modes = options.expression_modes = static_cast<std::int32_t>(kSearchedModes);
     options.max_iterations = subspaces.max_iterations;
     options.passes = span.passes;
     options.lambda_factor = subspaces.lambda_factor;

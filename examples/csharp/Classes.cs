@@ -2143,9 +2143,10 @@ namespace Mien
 
         /// <summary>MIEN_TRAIN_..., default MIEN_TRAIN_JPCA</summary>
         public Train Method { get; set; }
-        /// <summary>1 to 4000, default 50; 0: of 25, 50, 75 and 100 the fewest that serve people left out of the training; since 0.2</summary>
+        /// <summary>1 to 4000; 0 (default since 0.2, 50 before): of 25, 50, 75 and 100 the fewest that serve people left out of the
+        /// training</summary>
         public int IdentityModes { get; set; }
-        /// <summary>1 to 4000, default 50; 0: as above</summary>
+        /// <summary>1 to 4000; 0 (default): as above</summary>
         public int ExpressionModes { get; set; }
         /// <summary>QOJPCA; default 1000</summary>
         public int MaxIterations { get; set; }

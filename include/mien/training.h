@@ -18,9 +18,9 @@ enum {
 typedef struct mien_train_options {
     uint32_t struct_size;
     int32_t method;           /**< MIEN_TRAIN_..., default MIEN_TRAIN_JPCA */
-    int32_t identity_modes;   /**< 1 to 4000, default 50; 0: of 25, 50, 75 and 100 the fewest that
-                                 serve people left out of the training; since 0.2 */
-    int32_t expression_modes; /**< 1 to 4000, default 50; 0: as above */
+    int32_t identity_modes;   /**< 1 to 4000; 0 (default since 0.2, 50 before): of 25, 50, 75 and
+                                 100 the fewest that serve people left out of the training */
+    int32_t expression_modes; /**< 1 to 4000; 0 (default): as above */
     int32_t max_iterations;   /**< QOJPCA; default 1000 */
     int32_t passes;           /**< over the data, 1 to 50, default 4 */
     double lambda;        /**< QOJPCA; 0 (default): lambda_factor x the top eigenvalue of k XX' */

@@ -12,7 +12,7 @@ struct TrainSettings {
     std::string data, out, method = "jpca", lambda = "auto", zones, stable, picture;
     std::string part, shard_out;
     std::vector<std::string> merge;
-    int identity_modes = 50, expression_modes = 50, shard_rank = 512;
+    int identity_modes = 0, expression_modes = 0, shard_rank = 512;
 };
 
 /// "K/N", K from 1 to N.

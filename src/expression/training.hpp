@@ -16,6 +16,10 @@
 
 namespace mien {
 
+/// A number of modes that stands for "by hold-out". The default since 100 people of seed 1 gave
+/// 0.16 mm on 40 of seed 2 by it (75 + 75 modes), 0.17 with 50 + 50 (tests/bench/README.md).
+constexpr Index kSearchedModes = 0;
+
 struct TrainOptions {
     JointPcaOptions subspaces;  ///< modes of 0: by hold-out over the people (mode_search.hpp)
     ModeSearch search;
@@ -25,7 +29,10 @@ struct TrainOptions {
     /// and by every fit of the model; empty: faces are taken as they lie.
     std::vector<std::uint32_t> stable_vertices;
     double map_noise_mm2 = 0.0, mixture_noise_mm2 = 0.0;  ///< 0: by cross-validation
-    TrainOptions() { span.identity_rank = span.expression_rank = 0; }
+    TrainOptions() {
+        span.identity_rank = span.expression_rank = 0;
+        subspaces.identity_modes = subspaces.expression_modes = kSearchedModes;
+    }
 };
 
 struct TrainReport {

@@ -40,8 +40,8 @@ public final class TrainOptions implements Record_ {
     public int method() { return method; }
 
     /**
-     * 1 to 4000, default 50; 0: of 25, 50, 75 and 100 the fewest that serve people left out of the training;
-     * since 0.2
+     * 1 to 4000; 0 (default since 0.2, 50 before): of 25, 50, 75 and 100 the fewest that serve people left out of
+     * the training
      */
     public TrainOptions identityModes(int value) {
         identityModes = value;
@@ -49,7 +49,7 @@ public final class TrainOptions implements Record_ {
     }
     public int identityModes() { return identityModes; }
 
-    /** 1 to 4000, default 50; 0: as above */
+    /** 1 to 4000; 0 (default): as above */
     public TrainOptions expressionModes(int value) {
         expressionModes = value;
         return this;

@@ -1302,10 +1302,10 @@ class TrainOptions(_Options):
     _name = "mien_train_options"
     #: MIEN_TRAIN_..., default MIEN_TRAIN_JPCA
     method: Train | int
-    #: 1 to 4000, default 50; 0: of 25, 50, 75 and 100 the fewest that serve people left out of the training;
-    #: since 0.2
+    #: 1 to 4000; 0 (default since 0.2, 50 before): of 25, 50, 75 and 100 the fewest that serve people left out
+    #: of the training
     identity_modes: int
-    #: 1 to 4000, default 50; 0: as above
+    #: 1 to 4000; 0 (default): as above
     expression_modes: int
     #: QOJPCA; default 1000
     max_iterations: int
