@@ -34,6 +34,10 @@ struct DeformationModel {
     Matrix prior_variance;
     std::vector<Landmark> landmarks;
     std::vector<Zone> zones;
+    /// #V, 1 on walls that no scanner sees (template_walls.hpp), and what they were found by; empty
+    /// in models of files before 0.2, for which they are found in each fit.
+    std::vector<std::uint8_t> walls;
+    std::string walls_key;
     std::map<std::string, std::string> info;  ///< kernel, sigma_mm, scale_mm, seed, rank, ...
     std::shared_ptr<const void> storage;      ///< keeps basis and pca_modes alive
 

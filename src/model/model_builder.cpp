@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "model/kernel_basis.hpp"
 #include "model/mirror.hpp"
+#include "model/template_walls.hpp"
 
 namespace mien {
 namespace {
@@ -149,6 +150,10 @@ BuiltModel build_deformation_model(const TriMesh& template_mesh,
     model->basis = {storage->basis.data(), n, storage->basis.cols()};
     model->pca_modes = {storage->pca_modes.data(), 3 * n, storage->pca_modes.cols()};
     model->storage = storage;
+    if (template_mesh.triangles.rows() > 0) {
+        model->walls = find_walls(template_mesh, WallSettings(), context);
+        model->walls_key = walls_key(template_mesh, WallSettings());
+    }
     return {model, report};
 }
 

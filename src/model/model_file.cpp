@@ -13,6 +13,7 @@ namespace {
 constexpr const char* kKind = "mien-deformation-model";
 constexpr std::uint64_t kAlignment = 64;
 const char* const kInfoPrefix = "info.";
+const char* const kWallsKey = "walls_key";
 
 std::uint64_t size_of(Index count) {
     return static_cast<std::uint64_t>(count);
@@ -88,6 +89,19 @@ void read_names(const SafetensorsFile& file, DeformationModel& model) {
     }
 }
 
+void read_walls(const SafetensorsFile& file, DeformationModel& model) {
+    if (!file.has("walls")) return;
+    const TensorView& view = file.tensor("walls", DType::u8, {model.num_vertices()});
+    const auto* walls = static_cast<const std::uint8_t*>(view.data);
+    for (std::uint64_t i = 0; i < view.count; ++i)
+        if (walls[i] > 1)
+            fail_at(Status::bad_format, static_cast<std::int64_t>(i),
+                    "tensor 'walls': entry %llu is %d, neither 0 nor 1",
+                    static_cast<unsigned long long>(i), walls[i]);
+    model.walls.assign(walls, walls + view.count);
+    model.walls_key = file.metadata(kWallsKey);
+}
+
 }  // namespace
 
 std::shared_ptr<const DeformationModel> load_deformation_model(
@@ -127,6 +141,7 @@ std::shared_ptr<const DeformationModel> read_deformation_model(const Safetensors
     if (r == 0 && model->pca_modes.cols == 0)
         fail(Status::bad_format, "the model has no mode at all");
     read_names(file, *model);
+    read_walls(file, *model);
     const std::string prefix = kInfoPrefix;
     for (const auto& [key, value] : file.metadata())
         if (key.compare(0, prefix.size(), prefix) == 0)
@@ -197,6 +212,10 @@ void save_deformation_model(const std::string& path, const DeformationModel& mod
             mesh.texture_triangles.data());
     }
     if (mesh.colors.rows() != 0) add("colors", DType::u8, {n, 3}, mesh.colors.data());
+    if (!model.walls.empty()) {
+        add("walls", DType::u8, {n}, model.walls.data());
+        metadata[kWallsKey] = model.walls_key;
+    }
     write_safetensors(path, tensors, std::move(metadata), context);
 }
 

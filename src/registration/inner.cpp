@@ -8,31 +8,13 @@
 
 #include "base/parallel.hpp"
 #include "base/scalar_math.hpp"
-#include "geometry/normals.hpp"
 #include "mesh/shortest_paths.hpp"
-#include "spatial/triangle_tree.hpp"
+#include "spatial/point_cells.hpp"
 
 namespace mien {
 namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
-
-/// True when fewer than open_rays of the directions about the normal lead out.
-bool is_enclosed(const TriangleTree& tree, const Vector3& place, const Vector3& normal,
-                 const InnerSettings& settings) {
-    constexpr double kGolden_rad = 2.399963229728653;  // the golden angle: a sunflower's spiral
-    const Vector3 side = normal.unitOrthogonal(), up = normal.cross(side);
-    int open = 0;
-    for (int k = 0; k < settings.rays; ++k) {
-        const double squared = (k + 0.5) / settings.rays, turn = kGolden_rad * k;
-        const double radius = std::sqrt(squared);
-        const Vector3 direction = radius * (std::cos(turn) * side + std::sin(turn) * up) +
-                                  std::sqrt(1 - squared) * normal;
-        open += !tree.first_hit(place + settings.lift_mm * normal, direction, settings.sight_mm)
-                     .valid();
-    }
-    return open < settings.open_rays;
-}
 
 // A vertex of the open skin and its weight.
 struct Carrier {
@@ -88,23 +70,20 @@ struct Regression {
 
     explicit Regression(double reach_mm) : nearest(reach_mm * reach_mm) {}
 
-    void add(const std::vector<Carrier>& carriers, const Points& rest, const Points& moved, Index v,
+    void add(const Carrier& carrier, const Points& rest, const Points& moved, Index v,
              const InnerSettings& settings) {
-        for (const Carrier& carrier : carriers) {
-            const Vector3 off = (rest.row(carrier.vertex) - rest.row(v)).transpose();
-            const Vector3 moves = moved.row(carrier.vertex).transpose();
-            const double squared = off.squaredNorm();
-            if (squared >= settings.reach_mm * settings.reach_mm) continue;
-            const double weight =
-                carrier.weight *
-                std::exp(-0.5 * squared / (settings.spread_mm * settings.spread_mm));
-            sum += weight * moves;
-            place += weight * off;
-            spread += weight * off * off.transpose();
-            drift += weight * moves * off.transpose();
-            weights += weight;
-            nearest = std::min(nearest, squared);
-        }
+        const Vector3 off = (rest.row(carrier.vertex) - rest.row(v)).transpose();
+        const double squared = off.squaredNorm();
+        if (squared >= settings.reach_mm * settings.reach_mm) return;
+        const Vector3 moves = moved.row(carrier.vertex).transpose();
+        const double weight =
+            carrier.weight * std::exp(-0.5 * squared / (settings.spread_mm * settings.spread_mm));
+        sum += weight * moves;
+        place += weight * off;
+        spread += weight * off * off.transpose();
+        drift += weight * moves * off.transpose();
+        weights += weight;
+        nearest = std::min(nearest, squared);
     }
 
     // The displacement at the vertex itself.
@@ -121,28 +100,9 @@ struct Regression {
 
 std::vector<std::uint8_t> find_inner_vertices(const TriMesh& mesh, const InnerSettings& settings,
                                               const Context& context) {
-    const Points& places = mesh.vertices;
-    std::vector<std::uint8_t> inner(static_cast<std::size_t>(places.rows()), 0);
-    if (!settings.exclude) return inner;
-    const Points normals = vertex_normals(places, mesh.triangles),
-                 faces = triangle_normals(places, mesh.triangles);
-    const TriangleTree tree(places, mesh.triangles, context);
-    parallel_for(context, inner.size(), 256, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const Index v = static_cast<Index>(i);
-            const Vector3 place = places.row(v).transpose(), normal = normals.row(v).transpose();
-            for (const double radius : settings.probes_mm) {
-                const SurfaceHit hit =
-                    tree.closest(place + radius * normal, settings.touch * radius);
-                if (!hit.valid()) continue;
-                const Vector3 other = faces.row(static_cast<Index>(hit.triangle)).transpose();
-                if (normal.dot(other) >= settings.facing * other.norm()) continue;
-                inner[i] = is_enclosed(tree, place, normal, settings);
-                break;
-            }
-        }
-    });
-    return inner;
+    if (!settings.exclude)
+        return std::vector<std::uint8_t>(static_cast<std::size_t>(mesh.vertices.rows()), 0);
+    return find_walls(mesh, settings.walls, context);
 }
 
 void carry_inner(const TriMesh& template_mesh, const VertexRings& rings, const Points& rest,
@@ -158,19 +118,21 @@ void carry_inner(const TriMesh& template_mesh, const VertexRings& rings, const P
     if (open.empty() || hidden.empty()) return;
     const Hanging hanging =
         find_hanging(template_mesh, rings, inner, open, hidden, settings, context);
-    std::vector<Carrier> all;
-    all.reserve(open.size());
-    for (const std::uint32_t v : open) all.push_back({static_cast<Index>(v), settings.fallback});
+    const PointCells cells(rest, open, settings.reach_mm);
 
     const Points moved = places - rest;
     parallel_for(context, hidden.size(), 16, [&](std::size_t begin, std::size_t end) {
+        std::vector<std::uint32_t> near;
         for (std::size_t k = begin; k < end; ++k) {
             const Index v = hidden[k], from = hanging.root[static_cast<std::size_t>(v)];
             Regression regression(settings.reach_mm);
-            regression.add(all, rest, moved, v, settings);
-            if (from >= 0)
-                regression.add(hanging.around[static_cast<std::size_t>(from)], rest, moved, v,
+            cells.around(rest.row(v), near);
+            for (const std::uint32_t other : near)
+                regression.add({static_cast<Index>(other), settings.fallback}, rest, moved, v,
                                settings);
+            if (from >= 0)
+                for (const Carrier& carrier : hanging.around[static_cast<std::size_t>(from)])
+                    regression.add(carrier, rest, moved, v, settings);
             if (!(regression.weights > 0)) continue;
             const double blend = std::min(1.0, std::sqrt(regression.nearest) / settings.blend_mm);
             const Vector3 carried = regression.solve(settings.ridge_mm2);

@@ -8,13 +8,13 @@
 // and x_j - y, D and S their covariances, e a ridge. So a sac shrinks with its nose.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "base/context.hpp"
 #include "mesh/adjacency.hpp"
 #include "mesh/tri_mesh.hpp"
+#include "model/template_walls.hpp"
 
 namespace mien {
 
@@ -22,15 +22,7 @@ namespace mien {
 struct InnerSettings {
     bool exclude = true;  ///< walls are excluded from correspondence [A]
     bool carry = true;    ///< and go with the skin [A]
-    // Found by balls that rest on a vertex: on open skin a ball touches nothing else, between two
-    // walls it meets the other one.
-    std::array<double, 6> probes_mm{{1, 2, 3, 4.5, 6, 8}};  ///< mm, > 0, ascending: radii [J]
-    double touch = 0.7;     ///< 0 to 1, radii: a wall nearer to the ball's middle is met [J]
-    double facing = -0.4;   ///< cosine: and faces the vertex [J]
-    int rays = 16;          ///< >= 1: about the normal, as many as their cosine weighs [J]
-    int open_rays = 4;      ///< 0 to rays: so many that lead out make a vertex open skin [J]
-    double sight_mm = 60;   ///< mm, > 0: length of a ray [J]
-    double lift_mm = 0.05;  ///< mm, > 0: a ray begins so far above the surface [J]
+    WallSettings walls;   ///< how they are found
     // Carried
     double reach_mm = 15;  ///< mm, > 0: farther skin does not take part [J]
     double spread_mm = 6;  ///< mm, > 0: s [J]
@@ -44,8 +36,7 @@ struct InnerSettings {
                              ///< along the surface is within reach [J]
 };
 
-/// #V, 1 where a wall of the template faces another one and hardly a ray leads out, 0 on open skin;
-/// all 0 when settings.exclude is false. O(V log F).
+/// find_walls(), or all 0 when settings.exclude is false. O(V log F).
 std::vector<std::uint8_t> find_inner_vertices(const TriMesh& mesh, const InnerSettings& settings,
                                               const Context& context);
 

@@ -46,7 +46,9 @@ PriorState choose_prior(const DeformationModel& model, const PriorSettings& sett
     prior.freedom.move = settings.estimate_motion;
     prior.freedom.scale =
         settings.estimate_scale < 0 ? prior.pca_modes == 0 : settings.estimate_scale != 0;
-    prior.inner = find_inner_vertices(model.template_mesh, inner, context);
+    const bool known = inner.exclude && !model.walls.empty() &&
+                       model.walls_key == walls_key(model.template_mesh, inner.walls);
+    prior.inner = known ? model.walls : find_inner_vertices(model.template_mesh, inner, context);
     prior.colors = ColorFeatures(model, prior.inner, colors, context);
     return prior;
 }

@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "model/model_builder.hpp"
+#include "model/template_walls.hpp"
 #include "model/tuning.hpp"
 #include "unit/model/support.hpp"
 
@@ -59,10 +60,26 @@ TEST(ModelFile, KeepsEveryBit) {
     ASSERT_EQ(loaded->zones.size(), 2u);
     EXPECT_EQ(loaded->zones[0].vertices, (std::vector<std::uint32_t>{1, 5, 9}));
     EXPECT_TRUE(loaded->zones[1].vertices.empty());
+    EXPECT_EQ(loaded->walls.size(), 121u);
+    EXPECT_EQ(loaded->walls, model->walls);
+    EXPECT_EQ(loaded->walls_key, walls_key(loaded->template_mesh, WallSettings()));
     EXPECT_EQ(reinterpret_cast<std::uintptr_t>(loaded->basis.data) % 64, 0u);
     const std::string again = temporary("again.safetensors");
     save_deformation_model(again, *loaded, {});
     EXPECT_EQ(bytes_of(path), bytes_of(again));
+}
+
+TEST(ModelFile, WallsOfAnotherTemplateHaveAnotherKey) {
+    const auto model = full_model().model;
+    TriMesh moved = model->template_mesh;
+    moved.vertices(60, 2) += 1e-9;
+    EXPECT_NE(walls_key(moved, WallSettings()), model->walls_key);
+    TriMesh turned = model->template_mesh;
+    std::swap(turned.triangles(7, 1), turned.triangles(7, 2));
+    EXPECT_NE(walls_key(turned, WallSettings()), model->walls_key);
+    WallSettings other;
+    other.rays = 17;
+    EXPECT_NE(walls_key(model->template_mesh, other), model->walls_key);
 }
 
 TEST(ModelFile, OutlivesTheFileObjectAndTheBuilder) {
