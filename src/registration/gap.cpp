@@ -7,60 +7,6 @@
 #include "geometry/normals.hpp"
 
 namespace mien {
-namespace {
-
-// out = field - mean of the neighbours.
-void umbrella(const VertexRings& rings, const Vector& field, Vector& out) {
-    const Index n = field.size();
-    out.resize(n);
-    for (Index i = 0; i < n; ++i) {
-        const VertexSpan ring = rings.of(static_cast<std::size_t>(i));
-        double sum = 0;
-        for (const std::uint32_t j : ring) sum += field[j];
-        out[i] = ring.size() > 0 ? field[i] - sum / static_cast<double>(ring.size()) : 0;
-    }
-}
-
-// out = L' field for the same L.
-void umbrella_transposed(const VertexRings& rings, const Vector& field, Vector& out) {
-    const Index n = field.size();
-    out = field;
-    for (Index i = 0; i < n; ++i) {
-        const VertexSpan ring = rings.of(static_cast<std::size_t>(i));
-        if (ring.size() == 0) out[i] = 0;
-        for (const std::uint32_t j : ring) out[j] -= field[i] / static_cast<double>(ring.size());
-    }
-}
-
-// delta by conjugate gradients on (W + alpha L'L + e) delta = W gap; well conditioned, tens of
-// steps.
-Vector smooth_field(const VertexRings& rings, const Vector& weight, const Vector& gap,
-                    const GapSettings& settings) {
-    Vector delta = Vector::Zero(gap.size()), residual = weight.cwiseProduct(gap),
-           direction = residual, image, scratch;
-    constexpr double kNothing = 1e-30;  // a field without any gap needs no step
-    double rr = residual.squaredNorm();
-    const double limit = settings.tolerance * std::max(rr, kNothing);
-    for (int k = 0; k < settings.most_iterations && rr > limit; ++k) {
-        umbrella(rings, direction, scratch);
-        umbrella_transposed(rings, scratch, image);
-        image = settings.smoothness * image + weight.cwiseProduct(direction) +
-                settings.ground * direction;
-        const double step = rr / direction.dot(image);
-        delta += step * direction;
-        residual -= step * image;
-        const double next = residual.squaredNorm();
-        direction = residual + (next / rr) * direction;
-        rr = next;
-    }
-    if (!delta.allFinite())
-        fail(Status::no_solution,
-             "registration: the field that closes the gap is not finite; check the scan's unit");
-    return delta;
-}
-
-}  // namespace
-
 Vector raise_field(const ScanView& scan, const Triangles& triangles, const VertexRings& rings,
                    const Vector& trust, const CorrespondenceSettings& match, double robust_scale_mm,
                    const GapSettings& settings, Points& places, const Context& context) {
@@ -70,6 +16,7 @@ Vector raise_field(const ScanView& scan, const Triangles& triangles, const Verte
     filter.max_distance_mm = settings.reach * robust_scale_mm;
     Correspondences found;
     Vector weight(n), gap(n);
+    GapField field(rings);
     for (int round = 0; round < settings.rounds; ++round) {
         context.progress(Stage::refining, static_cast<double>(round) / settings.rounds);
         const Points normals = vertex_normals(places, triangles);
@@ -82,7 +29,11 @@ Vector raise_field(const ScanView& scan, const Triangles& triangles, const Verte
                                                : Vector3(Vector3::Zero());
             gap[i] = to_hit.dot(normals.row(i).transpose());
         }
-        const Vector delta = smooth_field(rings, weight, gap, settings);
+        const Vector delta = field.solve(weight, gap, settings.field, context);
+        if (!delta.allFinite())
+            fail(Status::no_solution,
+                 "registration: the field that closes the gap is not finite; check the scan's "
+                 "unit");
         for (Index i = 0; i < n; ++i)
             places.row(i) +=
                 std::clamp(delta[i], -settings.max_step_mm, settings.max_step_mm) * normals.row(i);

@@ -11,20 +11,18 @@
 
 #include "mesh/adjacency.hpp"
 #include "registration/fit.hpp"
+#include "registration/gap_field.hpp"
 
 namespace mien {
 
 /// Tags in brackets: registration/settings.hpp.
 struct GapSettings {
-    bool enabled = true;       ///< [A]
-    double smoothness = 20;    ///< alpha, > 0 [J]
-    double ground = 0.02;      ///< e, > 0 [J]
+    bool enabled = true;  ///< [A]
+    GapFieldSettings field;
     double robust_sigmas = 2;  ///< > 0: robust scale in the fit's last noise levels [J]
     double reach = 4;          ///< > 0, robust scales: farther hits are not looked for [J]
     double max_step_mm = 3;    ///< mm, > 0: cap of the field in one round [J]
     int rounds = 6;            ///< >= 1: closest points are found anew in each [T] "An injection"
-    int most_iterations = 80;  ///< >= 1: of conjugate gradients; tens are enough [J]
-    double tolerance = 1e-8;   ///< > 0: of the squared residual [J]
     // Turns that the field makes
     bool undo_turns = true;    ///< [A]
     double turn_cosine = 0.5;  ///< a triangle turned farther (60 degrees) goes back [J]

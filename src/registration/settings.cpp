@@ -56,7 +56,7 @@ void check_settings(const RegistrationSettings& s) {
              Number{"sparse_share", loop.sparse_share, 0, 1, false},
              Number{"sparse_stride", static_cast<double>(loop.sparse_stride), 1, kHuge, false},
              Number{"smoothing_mm", s.intake.surface.smoothing_mm, 0, kHuge, false},
-             Number{"gap smoothness", s.gap.smoothness, 0, kHuge, true},
+             Number{"gap smoothness", s.gap.field.smoothness, 0, kHuge, true},
              Number{"gap rounds", static_cast<double>(s.gap.rounds), 1, 10000, false},
              Number{"max_turn_rad", s.folds.max_turn_rad, 0, 3.2, true},
          })
