@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.hpp"
 #include "geometry/normals.hpp"
-#include "mesh/topology.hpp"
 #include "registration/scan_cloud.hpp"
+#include "registration/scan_fans.hpp"
 
 namespace mien {
 namespace {
@@ -22,68 +23,71 @@ int rounds_for(double smoothing_mm, double spacing_mm, int most) {
     return static_cast<int>(std::min(static_cast<double>(most), std::ceil(ratio * ratio)));
 }
 
-double mean_edge_mm(const Points& vertices, const Triangles& triangles) {
+constexpr std::size_t kChunk = 8192;  // vertices or triangles at a time
+
+double mean_edge_mm(const Points& vertices, const Triangles& triangles, const Context& context) {
     const Index count = triangles.rows();
-    double total = 0;
-    for (Index t = 0; t < count; ++t)
-        for (int k = 0; k < 3; ++k)
-            total +=
-                (vertices.row(triangles(t, k)) - vertices.row(triangles(t, (k + 1) % 3))).norm();
+    const double total = parallel_sum<double>(
+        context, static_cast<std::size_t>(count), kChunk, 0,
+        [&](std::size_t begin, std::size_t end) {
+            double sum = 0;
+            for (Index t = static_cast<Index>(begin); t < static_cast<Index>(end); ++t)
+                for (int k = 0; k < 3; ++k)
+                    sum += (vertices.row(triangles(t, k)) - vertices.row(triangles(t, (k + 1) % 3)))
+                               .norm();
+            return sum;
+        });
     return count > 0 ? total / static_cast<double>(3 * count) : 0;
 }
 
-void smooth_normals(ScanSurface& scan, const ScanSurfaceSettings& settings,
-                    const Context& context) {
+// A vertex' values, filled up to what one instruction loads.
+using PackedNormals = Eigen::Matrix<float, Eigen::Dynamic, 4, Eigen::RowMajor>;
+using PackedBending = Eigen::Matrix<float, Eigen::Dynamic, 8, Eigen::RowMajor>;
+
+void smooth_normals(ScanSurface& scan, const TriangleFans& fans,
+                    const ScanSurfaceSettings& settings, const Context& context) {
     if (!(scan.spacing_mm > 0 && settings.smoothing_mm > 0)) return;
     const int rounds =
         rounds_for(settings.smoothing_mm, scan.spacing_mm, settings.most_normal_rounds);
-    Points sum(scan.normals.rows(), 3);
+    const Index n = scan.normals.rows();
+    PackedNormals normals = PackedNormals::Zero(n, 4), sums(n, 4);
+    normals.leftCols<3>() = scan.normals.cast<float>();
     for (int round = 0; round < rounds; ++round) {
-        context.check_cancelled();
-        sum.setZero();
-        for (Index t = 0; t < scan.triangles.rows(); ++t) {
-            const Eigen::RowVector3d mean = scan.normals.row(scan.triangles(t, 0)) +
-                                            scan.normals.row(scan.triangles(t, 1)) +
-                                            scan.normals.row(scan.triangles(t, 2));
-            for (int k = 0; k < 3; ++k) sum.row(scan.triangles(t, k)) += mean;
-        }
-        for (Index i = 0; i < sum.rows(); ++i) {
-            const double length = sum.row(i).norm();
-            if (length > kShortest) scan.normals.row(i) = sum.row(i) / length;
-        }
+        parallel_for(
+            context, static_cast<std::size_t>(n), kChunk, [&](std::size_t begin, std::size_t end) {
+                fans.add_up(normals, begin, end, sums);
+                for (Index i = static_cast<Index>(begin); i < static_cast<Index>(end); ++i) {
+                    const float length = sums.row(i).norm();
+                    if (length > kShortest)
+                        sums.row(i) /= length;
+                    else
+                        sums.row(i) = normals.row(i);
+                }
+            });
+        normals.swap(sums);
     }
-}
-
-// One round of averaging a field with one row per vertex over the triangles around it.
-template <typename Rows>
-void average_over_triangles(const Triangles& triangles, const std::vector<float>& share,
-                            Rows& field) {
-    Rows sum = Rows::Zero(field.rows(), field.cols());
-    for (Index t = 0; t < triangles.rows(); ++t) {
-        const auto mean =
-            (field.row(triangles(t, 0)) + field.row(triangles(t, 1)) + field.row(triangles(t, 2)))
-                .eval();
-        for (int k = 0; k < 3; ++k) sum.row(triangles(t, k)) += mean;
-    }
-    for (Index i = 0; i < field.rows(); ++i)
-        if (share[static_cast<std::size_t>(i)] > 0)
-            field.row(i) = sum.row(i) * (share[static_cast<std::size_t>(i)] / 3);
+    parallel_for(
+        context, static_cast<std::size_t>(n), kChunk, [&](std::size_t begin, std::size_t end) {
+            for (Index i = static_cast<Index>(begin); i < static_cast<Index>(end); ++i) {
+                const Eigen::RowVector3d normal = normals.row(i).head<3>().cast<double>();
+                const double length = normal.norm();
+                scan.normals.row(i) = length > 0 ? Eigen::RowVector3d(normal / length) : normal;
+            }
+        });
 }
 
 // S from the gradient of the vertex normals over each triangle: n(x) is linear there, S = grad n in
 // the plane of the triangle, made symmetric; area-weighted means go to the vertices.
-void find_bending(ScanSurface& scan, const ScanSurfaceSettings& settings) {
-    using Packed = Eigen::Matrix<float, Eigen::Dynamic, 6, Eigen::RowMajor>;
+void find_bending(ScanSurface& scan, const TriangleFans& fans, const ScanSurfaceSettings& settings,
+                  const Context& context) {
     const Index n = scan.vertices.rows(), count = scan.triangles.rows();
-    Packed field = Packed::Zero(n, 6);
-    std::vector<float> area(static_cast<std::size_t>(n), 0.0f),
-        uses(static_cast<std::size_t>(n), 0.0f);
+    PackedBending field = PackedBending::Zero(n, 8), sums(n, 8);
+    std::vector<float> area(static_cast<std::size_t>(n), 0.0f);
     for (Index t = 0; t < count; ++t) {
         Vector3 x[3], m[3];
         for (int k = 0; k < 3; ++k) {
             x[k] = scan.vertices.row(scan.triangles(t, k)).transpose();
             m[k] = scan.normals.row(scan.triangles(t, k)).transpose();
-            uses[scan.triangles(t, k)] += 1;
         }
         const Vector3 cross = (x[1] - x[0]).cross(x[2] - x[0]);
         const double twice = cross.norm();
@@ -96,7 +100,8 @@ void find_bending(ScanSurface& scan, const ScanSurfaceSettings& settings) {
         const Matrix3 flat = Matrix3::Identity() - normal * normal.transpose();
         gradient = flat * gradient;
         const Matrix3 s = 0.5 * (gradient + gradient.transpose());
-        const Eigen::Matrix<float, 1, 6> packed =
+        Eigen::Matrix<float, 1, 8> packed = Eigen::Matrix<float, 1, 8>::Zero();
+        packed.head<6>() =
             (Eigen::Matrix<double, 1, 6>() << s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(0, 2), s(1, 2))
                 .finished()
                 .cast<float>();
@@ -105,17 +110,22 @@ void find_bending(ScanSurface& scan, const ScanSurfaceSettings& settings) {
             area[scan.triangles(t, k)] += static_cast<float>(twice);
         }
     }
-    for (Index i = 0; i < n; ++i) {
+    for (Index i = 0; i < n; ++i)
         if (area[static_cast<std::size_t>(i)] > 0)
             field.row(i) /= area[static_cast<std::size_t>(i)];
-        uses[static_cast<std::size_t>(i)] =
-            uses[static_cast<std::size_t>(i)] > 0 ? 1 / uses[static_cast<std::size_t>(i)] : 0;
-    }
     const int rounds = rounds_for(settings.smoothing_mm, std::max(kTiny_mm, scan.spacing_mm),
                                   settings.most_bending_rounds);
-    for (int round = 0; round < rounds; ++round)
-        average_over_triangles(scan.triangles, uses, field);
-    scan.bending = std::move(field);
+    for (int round = 0; round < rounds; ++round) {
+        parallel_for(
+            context, static_cast<std::size_t>(n), kChunk, [&](std::size_t begin, std::size_t end) {
+                fans.add_up(field, begin, end, sums);
+                for (std::size_t v = begin; v < end; ++v)
+                    if (fans.count(v) > 0)
+                        sums.row(static_cast<Index>(v)) /= static_cast<float>(3 * fans.count(v));
+            });
+        field.swap(sums);
+    }
+    scan.bending = field.leftCols<6>();
 }
 
 }  // namespace
@@ -214,11 +224,12 @@ ScanSurface build_scan_surface(const TriMesh& mesh, const ScanSurfaceSettings& s
         scan.normals = cloud_normals(scan.vertices, radius_mm, settings, context);
         return scan;
     }
-    scan.on_border = border_vertices(scan.triangles, scan.vertices.rows(), context);
+    const TriangleFans fans(scan.vertices.rows(), scan.triangles, context);
+    scan.on_border = fans.border(context);
     scan.normals = vertex_normals(scan.vertices, scan.triangles);
-    scan.spacing_mm = mean_edge_mm(scan.vertices, scan.triangles);
-    smooth_normals(scan, settings, context);
-    find_bending(scan, settings);
+    scan.spacing_mm = mean_edge_mm(scan.vertices, scan.triangles, context);
+    smooth_normals(scan, fans, settings, context);
+    find_bending(scan, fans, settings, context);
     return scan;
 }
 
