@@ -30,7 +30,7 @@ FoldSettings turn_limit(double rad) {
 // For sheets without noise.
 GapSettings soft_gap() {
     GapSettings settings;
-    settings.smoothness = 2;
+    settings.field.smoothness = 2;
     return settings;
 }
 
