@@ -50,6 +50,8 @@ mien_model_options default_model_options() {
     options.heat_time_factor = heat.time_factor;
     options.heat_boundary = static_cast<std::int32_t>(heat.boundary);
     options.pca_variance = pca.variance;
+    options.pca_all_expressions = pca.all_expressions ? 1 : 0;
+    options.pca_align = pca.align ? 1 : 0;
     return options;
 }
 

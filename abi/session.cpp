@@ -4,7 +4,10 @@
 #include <chrono>
 #include <system_error>
 
+#include "arrays.hpp"
 #include "base/dense.hpp"
+#include "base/file.hpp"
+#include "base/sha256.hpp"
 #include "guard.hpp"
 #include "options.hpp"
 
@@ -165,6 +168,29 @@ void MIEN_CALL mien_cancel_request(mien_cancel* cancel) {
 
 void MIEN_CALL mien_cancel_release(mien_cancel* cancel) {
     release(cancel);
+}
+
+mien_status MIEN_CALL mien_session_hash_file(mien_session* session, const char* path, char* dst,
+                                             uint64_t capacity, uint64_t* count,
+                                             mien_error* error) {
+    return guarded(error, [&] {
+        const Call call(session);
+        const std::string name = checked_text(path, "path");
+        std::string digest(Sha256::kDigits, '0');
+        if (dst != nullptr && capacity > Sha256::kDigits) {
+            constexpr std::size_t kPart = std::size_t{1} << 24;  // a large file stays out of memory
+            const FileBytes file = map_file(name);
+            Sha256 hash;
+            for (std::size_t at = 0; at < file.size; at += kPart) {
+                const std::size_t part = std::min(kPart, file.size - at);
+                hash.update(file.data + at, part);
+                release_pages(file.data + at, part);
+                call.context().check_cancelled();
+            }
+            digest = hash.hex_digest();
+        }
+        copy_text(digest.data(), digest.size(), dst, capacity, count);
+    });
 }
 
 uint32_t MIEN_CALL mien_version_number(void) {

@@ -17,6 +17,7 @@ namespace {
 double limit_of(double max_distance_mm) {
     if (std::isnan(max_distance_mm))
         fail(Status::invalid_argument, "max_distance_mm is not a number");
+    if (max_distance_mm == 0) return kTransferDistanceMm;
     return max_distance_mm > 0 ? max_distance_mm : std::numeric_limits<double>::infinity();
 }
 

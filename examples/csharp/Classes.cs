@@ -676,9 +676,9 @@ namespace Mien
         /// <summary>UTF-8 path of a dataset of registered faces, or null: adds their mean and principal modes; the kernel then
         /// stands for what they leave over</summary>
         public string PcaDataset { get; set; }
-        /// <summary>share of the faces' variance kept, 0 to 1, default 0.98</summary>
+        /// <summary>share of the faces' variance kept, 0 to 1, default 0.999</summary>
         public double PcaVariance { get; set; }
-        /// <summary>1: all faces, 0 (default): neutral ones</summary>
+        /// <summary>1 (default): all faces, 0: neutral ones</summary>
         public int PcaAllExpressions { get; set; }
         /// <summary>1: move each face rigidly onto the template first; default 0</summary>
         public int PcaAlign { get; set; }
@@ -2750,6 +2750,27 @@ namespace Mien
             }
         }
 
+        /// <summary>The SHA-256 of a file's bytes as 64 lower-case hexadecimal digits: which model, which scan a result was made
+        /// from. With dst null and capacity 0: the size only, without reading the file.</summary>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_NO_MEMORY, MIEN_E_TIME_LIMIT</exception>
+        /// <remarks>C: mien_session_hash_file()</remarks>
+        public string HashFile(string path)
+        {
+            using (var call = new Call())
+            {
+                call.Lock(this);
+                var sessionAt = call.Use(this);
+                var pathAt = call.Text(path);
+                var countAt = call.Room(8);
+                long capacity = call.FirstCapacity(1);
+                IntPtr dstAt;
+                do {
+                    dstAt = call.Room(capacity);
+                } while ((capacity = call.More(Functions.mien_session_hash_file(sessionAt, pathAt, dstAt, (ulong)capacity, countAt, call.Error), capacity, countAt)) != 0);
+                return call.ReadText(dstAt, call.Count(countAt));
+            }
+        }
+
         /// <summary>Lengths, lengths along the skin, angles, inclinations and proportions between the landmarks of a face: some
         /// hundred of the field's, always in the same order. Landmarks go by the field's names ("pronasale",
         /// "cheilion_left") or abbreviations ("prn", "ch_left"), or by those of the 68-point scheme that truly coincide
@@ -3391,7 +3412,7 @@ namespace Mien
         /// fitted template to the scan under it or back: for each the nearest place on the other surface.</summary>
         /// <param name="surface">where the places go; a mesh or a cloud of points, mm.</param>
         /// <param name="points">#P x 3, F32 or F64, mm.</param>
-        /// <param name="maxDistanceMm">farther places are lost (triangle 0xFFFFFFFF); 0 or below: no limit.</param>
+        /// <param name="maxDistanceMm">farther places are lost (triangle 0xFFFFFFFF); 0: 10, below 0: no limit.</param>
         /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY</exception>
         /// <remarks>C: mien_surface_transfer_points()</remarks>
         public SurfaceTransferPoints SurfaceTransferPoints(Mesh surface, Values points, double maxDistanceMm)
@@ -3420,7 +3441,7 @@ namespace Mien
         /// <summary>Carries a zone from one surface to another in the same frame: the vertices of `to` whose nearest place on `from`
         /// lies in the zone (barycentric share of its vertices at least one half), ascending.</summary>
         /// <param name="from">with the zone's vertices.</param>
-        /// <param name="maxDistanceMm">farther vertices stay out; 0 or below: no limit.</param>
+        /// <param name="maxDistanceMm">farther vertices stay out; 0: 10, below 0: no limit.</param>
         /// <param name="vertices">vertex_count vertex numbers of `from`</param>
         /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (a fitted template without triangles),
         /// MIEN_E_MISMATCH (a vertex that `from` does not have), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY</exception>
@@ -3453,7 +3474,7 @@ namespace Mien
         /// <param name="fitted">the model's template after registration.</param>
         /// <param name="scan">in the frame of fitted, mm.</param>
         /// <param name="what">MIEN_TRANSFER_LANDMARKS or MIEN_TRANSFER_ZONES.</param>
-        /// <param name="maxDistanceMm">farther places are left out; 0 or below: no limit.</param>
+        /// <param name="maxDistanceMm">farther places are left out; 0: 10, below 0: no limit.</param>
         /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (what), MIEN_E_MISMATCH (fitted is not
         /// of the model), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY</exception>
         /// <remarks>C: mien_surface_transfer_json()</remarks>

@@ -701,6 +701,8 @@ namespace Mien.Native
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_cancel_release(IntPtr cancel);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_session_hash_file(IntPtr session, IntPtr path, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_mesh_arrays_init(IntPtr arrays, UIntPtr structSize);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern int mien_mesh_create(IntPtr session, IntPtr arrays, IntPtr @out, IntPtr error);
@@ -1262,6 +1264,9 @@ namespace Mien.Native
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         internal delegate void mien_cancel_release_function(IntPtr cancel);
         internal static readonly mien_cancel_release_function mien_cancel_release = Library.Function<mien_cancel_release_function>("mien_cancel_release");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_session_hash_file_function(IntPtr session, IntPtr path, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_session_hash_file_function mien_session_hash_file = Library.Function<mien_session_hash_file_function>("mien_session_hash_file");
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         internal delegate void mien_mesh_arrays_init_function(IntPtr arrays, UIntPtr structSize);
         internal static readonly mien_mesh_arrays_init_function mien_mesh_arrays_init = Library.Function<mien_mesh_arrays_init_function>("mien_mesh_arrays_init");

@@ -560,6 +560,12 @@ JNIEXPORT void JNICALL Java_mien_RawJni_mien_1cancel_1release(JNIEnv *env, jobje
     mien_cancel_release((mien_cancel*)(intptr_t)cancel);
 }
 
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1session_1hash_1file(JNIEnv *env, jobject self, jlong session, jlong path, jlong dst, jlong capacity, jlong count, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_session_hash_file((mien_session*)(intptr_t)session, (const char*)(intptr_t)path, (char*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
+}
+
 JNIEXPORT void JNICALL Java_mien_RawJni_mien_1mesh_1arrays_1init(JNIEnv *env, jobject self, jlong arrays, jlong struct_size) {
     (void)env;
     (void)self;

@@ -79,8 +79,8 @@ typedef struct mien_model_options {
     const char*
         pca_dataset;     /**< UTF-8 path of a dataset of registered faces, or null: adds their mean
                               and principal modes; the kernel then stands for what they leave over */
-    double pca_variance; /**< share of the faces' variance kept, 0 to 1, default 0.98 */
-    int32_t pca_all_expressions; /**< 1: all faces, 0 (default): neutral ones */
+    double pca_variance; /**< share of the faces' variance kept, 0 to 1, default 0.999 */
+    int32_t pca_all_expressions; /**< 1 (default): all faces, 0: neutral ones */
     int32_t pca_align; /**< 1: move each face rigidly onto the template first; default 0 */
     mien_array_view
         scale_per_vertex;           /**< #V x 1 factors >= 0 of scale_mm; count 0: one everywhere */

@@ -421,7 +421,8 @@ enum { MIEN_TRANSFER_LANDMARKS = 1, MIEN_TRANSFER_ZONES = 2 };
  * @param session         [in] not null.
  * @param surface         [in] not null; where the places go; a mesh or a cloud of points, mm.
  * @param points          [in] not null; #P x 3, F32 or F64, mm.
- * @param max_distance_mm [in] farther places are lost (triangle 0xFFFFFFFF); 0 or below: no limit.
+ * @param max_distance_mm [in] farther places are lost (triangle 0xFFFFFFFF); 0: 10, below 0: no
+ * limit.
  * @param triangles       [out] room for capacity triangle (cloud: vertex) numbers of `surface`, or
  * null.
  * @param barycentric     [out] room for capacity x 3 values, or null.
@@ -454,7 +455,7 @@ MIEN_API mien_status MIEN_CALL mien_surface_transfer_points(
  * @param vertices        [in] vertex_count vertex numbers of `from`; null when vertex_count is 0.
  * @param vertex_count    [in] length of vertices, at most the vertices of `from`.
  * @param to              [in] not null.
- * @param max_distance_mm [in] farther vertices stay out; 0 or below: no limit.
+ * @param max_distance_mm [in] farther vertices stay out; 0: 10, below 0: no limit.
  * @param dst             [out] room for capacity vertex numbers of `to`, or null.
  * @param capacity        [in] numbers that dst holds.
  * @param count           [out] may be null; how many there are.
@@ -485,7 +486,7 @@ mien_surface_transfer_zone(mien_session* session, const mien_mesh* from, const u
  * @param fitted          [in] not null; the model's template after registration.
  * @param scan            [in] not null; in the frame of fitted, mm.
  * @param what            [in] MIEN_TRANSFER_LANDMARKS or MIEN_TRANSFER_ZONES.
- * @param max_distance_mm [in] farther places are left out; 0 or below: no limit.
+ * @param max_distance_mm [in] farther places are left out; 0: 10, below 0: no limit.
  * @param dst             [out] room for capacity bytes, or null.
  * @param capacity        [in] bytes that dst holds.
  * @param count           [out] may be null; bytes with the terminating zero.

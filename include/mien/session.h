@@ -167,6 +167,28 @@ MIEN_API void MIEN_CALL mien_cancel_request(mien_cancel* cancel);
  */
 MIEN_API void MIEN_CALL mien_cancel_release(mien_cancel* cancel);
 
+/**
+ * The SHA-256 of a file's bytes as 64 lower-case hexadecimal digits: which model, which scan a
+ * result was made from. With dst null and capacity 0: the size only, without reading the file.
+ *
+ * @param session  [in] not null.
+ * @param path     [in] UTF-8, not null.
+ * @param dst      [out] room for capacity bytes, or null.
+ * @param capacity [in] bytes that dst holds.
+ * @param count    [out] may be null; bytes with the terminating zero: 65.
+ * @param error    [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_BUFFER_TOO_SMALL (dst
+ * untouched, count written), MIEN_E_NO_MEMORY, MIEN_E_TIME_LIMIT
+ * @owner  nothing
+ * @thread externally synchronized by session
+ * @cancel no
+ * @cost   O(bytes)
+ * @since  0.2
+ */
+MIEN_API mien_status MIEN_CALL mien_session_hash_file(mien_session* session, const char* path,
+                                                      char* dst, uint64_t capacity, uint64_t* count,
+                                                      mien_error* error);
+
 #ifdef __cplusplus
 }
 #endif

@@ -293,8 +293,10 @@ void add_neutralize(CLI::App& app) {
     neutralize->add_option("--scan", settings->scan, "the scan that the face was fitted to")
         ->check(CLI::ExistingFile);
     neutralize->add_option("--scan-out", settings->scan_out, "the scan, neutralized");
-    neutralize->add_option("--max-distance", settings->max_distance,
-                           "scan vertices farther from the face move with their neighbourhood, mm");
+    neutralize
+        ->add_option("--max-distance", settings->max_distance,
+                     "scan vertices farther from the face move with their neighbourhood, mm")
+        ->capture_default_str();
     neutralize
         ->add_option("--with", settings->with,
                      "more faces of the same person: one identity for all")

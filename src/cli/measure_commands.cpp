@@ -299,8 +299,12 @@ void add_volume(CLI::App* measure, const SharedSettings& settings) {
         ->add_option("--correlation", settings->correlation,
                      "length over which errors go together, mm")
         ->capture_default_str();
-    volume->add_option("--bias", settings->bias, "error common to all vertices, mm");
-    volume->add_option("--limit-of-detection", settings->limit, "mL; smaller changes are marked");
+    volume->add_option("--bias", settings->bias, "error common to all vertices, mm")
+        ->capture_default_str();
+    volume
+        ->add_option("--limit-of-detection", settings->limit,
+                     "mL; smaller changes are marked, 0: unknown")
+        ->capture_default_str();
     volume
         ->add_option("--surfaces", settings->carry,
                      "the faces are not in correspondence: carry the first onto the second by this")
@@ -310,8 +314,10 @@ void add_volume(CLI::App* measure, const SharedSettings& settings) {
     volume->add_option("--stable", settings->stable,
                        "first align the second face on this zone of the first; without --surfaces "
                        "several may be named, separated by commas");
-    volume->add_option("--max-distance", settings->max_distance,
-                       "with --surfaces: farther places count for nothing, mm; default 20");
+    volume
+        ->add_option("--max-distance", settings->max_distance,
+                     "with --surfaces: farther places count for nothing, mm; 0: 20")
+        ->capture_default_str();
     add_common_options(*volume, settings->common);
     volume->footer(
         "Example: mien measure volume --before before.ply --after after.ply --zones zones.json");
@@ -323,8 +329,10 @@ void add_distance(CLI::App* measure, const SharedSettings& settings) {
     add_pair(*distance, *settings);
     distance->add_flag("--surfaces", settings->surfaces,
                        "the faces are not in correspondence: closest place on the second surface");
-    distance->add_option("--max-distance", settings->max_distance,
-                         "with --surfaces: ignore farther ones, mm");
+    distance
+        ->add_option("--max-distance", settings->max_distance,
+                     "with --surfaces: ignore farther ones, mm")
+        ->capture_default_str();
     distance->add_flag("--keep-borders", settings->keep_borders,
                        "with --surfaces: count places beyond the second surface's border");
     distance->add_option("--field", settings->field_path,

@@ -152,13 +152,18 @@ void add_build(CLI::App& parent) {
     command
         .add_option("--modes", model.num_modes, "deformation modes at most, three per scalar mode")
         ->capture_default_str();
-    command.add_option("--tolerance", model.tolerance,
-                       "stop once this share of the variance is left");
-    command.add_option("--control-points", model.num_control_points,
-                       "0: as many as modes, at least 1000");
+    command
+        .add_option("--tolerance", model.tolerance, "stop once this share of the variance is left")
+        ->capture_default_str();
+    command
+        .add_option("--control-points", model.num_control_points,
+                    "0: as many as modes, at least 1000")
+        ->capture_default_str();
     command.add_flag("--mirror", model.mirror_symmetric, "modes even or odd about the plane x = 0");
-    command.add_option("--mirror-correlation", model.mirror_correlation,
-                       "how much both sides are expected to move alike, 0 to 1 (with --mirror)");
+    command
+        .add_option("--mirror-correlation", model.mirror_correlation,
+                    "how much both sides are expected to move alike, 0 to 1 (with --mirror)")
+        ->capture_default_str();
     command.add_option("--scale-per-vertex", settings->scales,
                        "JSON list of one factor per vertex");
     command.add_option("--boundary", settings->boundary, "heat at borders of the template")
@@ -169,13 +174,10 @@ void add_build(CLI::App& parent) {
     command.add_option("--zones", settings->zones,
                        "zones of the template, JSON {\"zones\": {name: [vertex, ...]}}, perhaps "
                        "with further lists beside them, such as \"lips\"");
-    // A scan may show any expression, and a fit needs the small modes too: so all faces, and nearly
-    // all variance.
-    model.pca_all_expressions = true;
-    model.pca_variance = 0.999;
     command.add_option("--pca", model.pca_dataset,
                        "dataset of registered faces: adds their mean and modes");
-    command.add_option("--pca-modes", model.pca_modes, "0: as many as --pca-variance asks for");
+    command.add_option("--pca-modes", model.pca_modes, "0: as many as --pca-variance asks for")
+        ->capture_default_str();
     command.add_option("--pca-variance", model.pca_variance, "share of the faces' variance kept")
         ->capture_default_str();
     command.add_flag("--pca-all,!--pca-neutral", model.pca_all_expressions,
@@ -434,7 +436,8 @@ void add_tune(CLI::App& parent) {
         ->capture_default_str();
     command.add_option("--expressions", settings->tune.expressions, "these faces only")
         ->delimiter(',');
-    command.add_option("--subjects", settings->tune.max_subjects, "the first N subjects only");
+    command.add_option("--subjects", settings->tune.max_subjects, "the first N subjects only")
+        ->capture_default_str();
     command.add_option("--plot", settings->plot, "picture of residual against sigma, PNG");
     add_common_options(command, settings->common);
     command.footer(

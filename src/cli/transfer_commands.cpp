@@ -14,7 +14,7 @@ namespace {
 struct TransferArguments {
     std::string model, fitted, scan, what = "landmarks", out, field, picture;
     bool to_template = false;
-    double max_distance = 10;
+    double max_distance = 0;
     Common common;
 };
 
@@ -261,7 +261,9 @@ void add_transfer_commands(CLI::App& app) {
         ->excludes(what);
     transfer->add_flag("--to-template", carried->to_template,
                        "from the scan to the template, instead of to the scan");
-    transfer->add_option("--max-distance", carried->max_distance, "mm beyond which a place is lost")
+    transfer
+        ->add_option("--max-distance", carried->max_distance,
+                     "mm beyond which a place is lost; 0: 10, below 0: no limit")
         ->capture_default_str();
     transfer->add_option("--out", carried->out, "JSON file")->required();
     transfer->add_option("--picture", carried->picture, "with --field: PNG of the carried field");

@@ -11,6 +11,10 @@
 
 namespace mien {
 
+/// A place farther away than this has no place on the other surface unless the caller says so: a
+/// landmark on an ear that was not scanned must not end on the cheek.
+inline constexpr double kTransferDistanceMm = 10;
+
 enum class TransferDirection : std::int32_t { to_scan = 0, to_template = 1 };
 
 /// Trees over both surfaces. Immutable; keeps copies.

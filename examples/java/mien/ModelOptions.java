@@ -170,14 +170,14 @@ public final class ModelOptions implements Record_ {
     }
     public String pcaDataset() { return pcaDataset; }
 
-    /** share of the faces' variance kept, 0 to 1, default 0.98 */
+    /** share of the faces' variance kept, 0 to 1, default 0.999 */
     public ModelOptions pcaVariance(double value) {
         pcaVariance = value;
         return this;
     }
     public double pcaVariance() { return pcaVariance; }
 
-    /** 1: all faces, 0 (default): neutral ones */
+    /** 1 (default): all faces, 0: neutral ones */
     public ModelOptions pcaAllExpressions(int value) {
         pcaAllExpressions = value;
         return this;

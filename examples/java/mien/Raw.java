@@ -25,6 +25,7 @@ interface Raw {
     int mien_cancel_create(long out, long error);
     void mien_cancel_request(long cancel);
     void mien_cancel_release(long cancel);
+    int mien_session_hash_file(long session, long path, long dst, long capacity, long count, long error);
     void mien_mesh_arrays_init(long arrays, long structSize);
     int mien_mesh_create(long session, long arrays, long out, long error);
     int mien_mesh_load(long session, long path, long out, long error);

@@ -18,6 +18,7 @@ final class RawJni implements Raw {
     @Override public native int mien_cancel_create(long out, long error);
     @Override public native void mien_cancel_request(long cancel);
     @Override public native void mien_cancel_release(long cancel);
+    @Override public native int mien_session_hash_file(long session, long path, long dst, long capacity, long count, long error);
     @Override public native void mien_mesh_arrays_init(long arrays, long structSize);
     @Override public native int mien_mesh_create(long session, long arrays, long out, long error);
     @Override public native int mien_mesh_load(long session, long path, long out, long error);

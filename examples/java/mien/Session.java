@@ -49,6 +49,28 @@ public final class Session extends NativeObject {
     }
 
     /**
+     * The SHA-256 of a file's bytes as 64 lower-case hexadecimal digits: which model, which scan a result was
+     * made from. With dst null and capacity 0: the size only, without reading the file. C:
+     * mien_session_hash_file().
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_NO_MEMORY,
+     * MIEN_E_TIME_LIMIT
+     */
+    public String hashFile(String path) {
+        try (Call call = new Call()) {
+            call.lock(this);
+            var sessionAt = call.use(this);
+            var pathAt = call.text(path);
+            var countAt = call.room(8);
+            long capacity = call.firstCapacity(1);
+            Memory dstAt;
+            do {
+                dstAt = call.room(capacity);
+            } while ((capacity = call.more(Raw.GET.mien_session_hash_file(Memory.address(sessionAt), Memory.address(pathAt), Memory.address(dstAt), capacity, Memory.address(countAt), call.error()), capacity, countAt)) != 0);
+            return call.readText(dstAt, call.count(countAt));
+        }
+    }
+
+    /**
      * Lengths, lengths along the skin, angles, inclinations and proportions between the landmarks of a face: some
      * hundred of the field's, always in the same order. Landmarks go by the field's names ("pronasale",
      * "cheilion_left") or abbreviations ("prn", "ch_left"), or by those of the 68-point scheme that truly
@@ -772,7 +794,7 @@ public final class Session extends NativeObject {
      * mien_surface_transfer_points().
      * @param surface where the places go; a mesh or a cloud of points, mm.
      * @param points #P x 3, F32 or F64, mm.
-     * @param maxDistanceMm farther places are lost (triangle 0xFFFFFFFF); 0 or below: no limit.
+     * @param maxDistanceMm farther places are lost (triangle 0xFFFFFFFF); 0: 10, below 0: no limit.
      * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MEMORY_BUDGET,
      * MIEN_E_NO_MEMORY
      */
@@ -802,7 +824,7 @@ public final class Session extends NativeObject {
      * `from` lies in the zone (barycentric share of its vertices at least one half), ascending. C:
      * mien_surface_transfer_zone().
      * @param from with the zone's vertices.
-     * @param maxDistanceMm farther vertices stay out; 0 or below: no limit.
+     * @param maxDistanceMm farther vertices stay out; 0: 10, below 0: no limit.
      * @param vertices vertex_count vertex numbers of `from`
      * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (a fitted
      * template without triangles), MIEN_E_MISMATCH (a vertex that `from` does not have), MIEN_E_MEMORY_BUDGET,
@@ -844,7 +866,7 @@ public final class Session extends NativeObject {
      * @param fitted the model's template after registration.
      * @param scan in the frame of fitted, mm.
      * @param what MIEN_TRANSFER_LANDMARKS or MIEN_TRANSFER_ZONES. See Transfer.
-     * @param maxDistanceMm farther places are left out; 0 or below: no limit.
+     * @param maxDistanceMm farther places are left out; 0: 10, below 0: no limit.
      * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (what),
      * MIEN_E_MISMATCH (fitted is not of the model), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY
      */

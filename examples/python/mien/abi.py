@@ -1255,6 +1255,14 @@ FUNCTIONS = {
     "mien_cancel_release": (None, (), (
         ("cancel", "handle", "mien_cancel", (), True, ""),
     )),
+    "mien_session_hash_file": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("path", "text", "char", (), False, ""),
+        ("dst", "text_out", "char", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
     "mien_mesh_arrays_init": (None, (), (
         ("arrays", "struct_out", "mien_mesh_arrays", (), False, ""),
         ("struct_size", "struct_size", "size_t", (), False, ""),

@@ -686,9 +686,9 @@ class ModelOptions(_Options):
     #: UTF-8 path of a dataset of registered faces, or null: adds their mean and principal modes; the kernel then
     #: stands for what they leave over
     pca_dataset: Text | None
-    #: share of the faces' variance kept, 0 to 1, default 0.98
+    #: share of the faces' variance kept, 0 to 1, default 0.999
     pca_variance: float
-    #: 1: all faces, 0 (default): neutral ones
+    #: 1 (default): all faces, 0: neutral ones
     pca_all_expressions: int
     #: 1: move each face rigidly onto the template first; default 0
     pca_align: int
@@ -1567,6 +1567,15 @@ class Session(_Object):
         """Makes a session with default options: one thread, no memory budget, silent. With options: those."""
         self._take((_run("mien_session_create_with_options", {"options": options}) if options is not None else _run("mien_session_create", {}))[0])
 
+    def hash_file(self, path: Text) -> str:
+        """The SHA-256 of a file's bytes as 64 lower-case hexadecimal digits: which model, which scan a result was made
+        from. With dst null and capacity 0: the size only, without reading the file.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_NO_MEMORY,
+        MIEN_E_TIME_LIMIT.
+        C: mien_session_hash_file()
+        """
+        return _run("mien_session_hash_file", {"path": path, "session": self})[0]
+
     def measure_anthropometry(self, face: Mesh, landmarks: Landmarks, options: AnthropometryOptions | None = None, progress: Progress | None = None, cancel: Cancel | None = None) -> Anthropometry:
         """Lengths, lengths along the skin, angles, inclinations and proportions between the landmarks of a face: some
         hundred of the field's, always in the same order. Landmarks go by the field's names ("pronasale",
@@ -1849,7 +1858,7 @@ class Session(_Object):
         fitted template to the scan under it or back: for each the nearest place on the other surface.
         surface: where the places go; a mesh or a cloud of points, mm.
         points: #P x 3, F32 or F64, mm.
-        max_distance_mm: farther places are lost (triangle 0xFFFFFFFF); 0 or below: no limit.
+        max_distance_mm: farther places are lost (triangle 0xFFFFFFFF); 0: 10, below 0: no limit.
         triangles: triangle (cloud: vertex) numbers of `surface`.
         barycentric: rows of 3 values.
         positions: rows of 3 values in mm; a lost place keeps where it was.
@@ -1863,7 +1872,7 @@ class Session(_Object):
         `from` lies in the zone (barycentric share of its vertices at least one half), ascending.
         from: with the zone's vertices.
         vertices: vertex_count vertex numbers of `from`
-        max_distance_mm: farther vertices stay out; 0 or below: no limit.
+        max_distance_mm: farther vertices stay out; 0: 10, below 0: no limit.
         Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (a fitted template
         without triangles), MIEN_E_MISMATCH (a vertex that `from` does not have), MIEN_E_MEMORY_BUDGET,
         MIEN_E_NO_MEMORY.
@@ -1879,7 +1888,7 @@ class Session(_Object):
         fitted: the model's template after registration.
         scan: in the frame of fitted, mm.
         what: MIEN_TRANSFER_LANDMARKS or MIEN_TRANSFER_ZONES.
-        max_distance_mm: farther places are left out; 0 or below: no limit.
+        max_distance_mm: farther places are left out; 0: 10, below 0: no limit.
         Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (what),
         MIEN_E_MISMATCH (fitted is not of the model), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY.
         C: mien_surface_transfer_json()

@@ -125,6 +125,15 @@ class Session {
     }
     /// With all there is to choose, e.g. max_seconds and copy_files.
     explicit Session(const mien_session_options& options) { open(options); }
+    /// SHA-256 of a file's bytes, in hexadecimal digits.
+    std::string hash_file(const std::string& path) const {
+        std::string digest(65, '\0');
+        std::uint64_t size = 0;
+        detail::call(mien_session_hash_file, get(), path.c_str(), &digest[0],
+                     std::uint64_t{digest.size()}, &size);
+        digest.resize(static_cast<std::size_t>(size) - 1);
+        return digest;
+    }
     mien_session* get() const noexcept { return handle_.get(); }
 
   private:

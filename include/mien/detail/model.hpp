@@ -24,34 +24,64 @@ struct LandmarkObservation {
 
 /// The settings of mien_tune_options.
 struct TuneSettings {
-    std::int32_t kernel = MIEN_KERNEL_GEODESIC_SE;
+    TuneSettings() {
+        mien_tune_options defaults;
+        mien_tune_options_init(&defaults, sizeof defaults);
+        kernel = defaults.kernel;
+        scale_mm = defaults.scale_mm;
+        nu = defaults.nu;
+        rho = defaults.rho;
+        levels = defaults.levels;
+        num_modes = defaults.num_modes;
+        max_subjects = static_cast<int>(defaults.max_subjects);
+    }
+    std::int32_t kernel;
     std::vector<double> sigmas_mm;
-    double scale_mm = 1, nu = 2, rho = 5;
-    int levels = 1, num_modes = 999;
+    double scale_mm, nu, rho;
+    int levels, num_modes;
     std::vector<std::string> expressions;    ///< empty: all
-    int max_subjects = 0;                    ///< 0: all
+    int max_subjects;                        ///< 0: all
     std::vector<double> scales_mm;           ///< each with each sigma; empty: scale_mm alone
     std::vector<std::int32_t> level_counts;  ///< each with each of those; empty: levels alone
     Progress progress;
     mien_cancel* cancel = nullptr;
 };
 
-/// The settings of mien_model_options; see there for units, ranges and defaults.
+/// The settings of mien_model_options; see there for units, ranges and defaults, which they have.
 struct ModelSettings {
-    std::int32_t kernel = MIEN_KERNEL_GEODESIC_SE;
-    double sigma_mm = 20, scale_mm = 3, nu = 2;
-    int levels = 1, num_modes = 999;
+    ModelSettings() {
+        mien_model_options defaults;
+        mien_model_options_init(&defaults, sizeof defaults);
+        kernel = defaults.kernel;
+        sigma_mm = defaults.sigma_mm;
+        scale_mm = defaults.scale_mm;
+        nu = defaults.nu;
+        levels = defaults.levels;
+        num_modes = defaults.num_modes;
+        tolerance = defaults.tolerance;
+        num_control_points = defaults.num_control_points;
+        mirror_symmetric = defaults.mirror_symmetric != 0;
+        mirror_correlation = defaults.mirror_correlation;
+        heat_time_factor = defaults.heat_time_factor;
+        heat_boundary = defaults.heat_boundary;
+        pca_modes = defaults.pca_modes;
+        pca_variance = defaults.pca_variance;
+        pca_all_expressions = defaults.pca_all_expressions != 0;
+        pca_align = defaults.pca_align != 0;
+    }
+    std::int32_t kernel;
+    double sigma_mm, scale_mm, nu;
+    int levels, num_modes;
     std::vector<mien_kernel> more_kernels;
-    double tolerance = 0;
-    int num_control_points = 0;
-    bool mirror_symmetric = false;
-    double mirror_correlation = 0;
-    double heat_time_factor = 4;
-    std::int32_t heat_boundary = MIEN_HEAT_NEUMANN;
+    double tolerance;
+    int num_control_points;
+    bool mirror_symmetric;
+    double mirror_correlation, heat_time_factor;
+    std::int32_t heat_boundary;
     std::string pca_dataset;  ///< empty: none
-    int pca_modes = 0;
-    double pca_variance = 0.98;
-    bool pca_all_expressions = false, pca_align = false;
+    int pca_modes;
+    double pca_variance;
+    bool pca_all_expressions, pca_align;
     std::vector<double> scale_per_vertex;
     std::vector<ModelLandmark> landmarks;
     std::vector<ModelZone> zones;

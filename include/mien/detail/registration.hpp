@@ -120,8 +120,8 @@ class Registration {
     std::shared_ptr<mien_registration> handle_;
 };
 
-/// Nearest places of `points` on a surface, mm; a place farther than max_distance_mm stays where it
-/// was.
+/// Nearest places of `points` on a surface, mm; a place farther than max_distance_mm (0: 10, below
+/// 0: no limit) stays where it was.
 inline std::vector<Position> transfer_points(const Session& session, const Mesh& surface,
                                              const std::vector<Position>& points,
                                              double max_distance_mm = 0) {

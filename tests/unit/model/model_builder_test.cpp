@@ -310,6 +310,7 @@ TEST(PointDistribution, RecoversTheShapesThatMadeTheFaces) {
         {});
     PcaOptions options;
     options.variance = 0.9999;
+    options.all_expressions = false;
     const PointDistribution pca = train_point_distribution(faces, mesh, options, {});
     EXPECT_EQ(pca.modes.cols(), 2);
     EXPECT_EQ(pca.num_faces, 9);

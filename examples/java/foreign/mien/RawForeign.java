@@ -75,6 +75,11 @@ final class RawForeign implements Raw {
         try { mien_cancel_release.invokeExact(cancel); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
     }
 
+    private final MethodHandle mien_session_hash_file = library.find("mien_session_hash_file", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_session_hash_file(long session, long path, long dst, long capacity, long count, long error) {
+        try { return (int) mien_session_hash_file.invokeExact(session, path, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
     private final MethodHandle mien_mesh_arrays_init = library.find("mien_mesh_arrays_init", FunctionDescriptor.ofVoid(JAVA_LONG, JAVA_LONG));
     @Override public void mien_mesh_arrays_init(long arrays, long structSize) {
         try { mien_mesh_arrays_init.invokeExact(arrays, structSize); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
