@@ -29,9 +29,11 @@ def written(plan):
     yield "abi/interface.json", as_text(plan.interface)
     yield "docs/guides/functions.md", write_guide.page(plan.interface)
     yield "examples/python/mien/abi.py", write_python.abi_module(plan)
-    yield "examples/python/mien/classes.py", write_python.classes_module(plan)
+    for name, text in write_python.files(plan):
+        yield f"examples/python/mien/classes/{name}.py", text
     yield "examples/csharp/Native.cs", write_csharp.native_file(plan)
-    yield "examples/csharp/Classes.cs", write_csharp.classes_file(plan)
+    for name, text in write_csharp.files(plan):
+        yield f"examples/csharp/classes/{name}.cs", text
     for name, text in write_java.files(plan):
         yield f"examples/java/mien/{name}.java", text
     yield "examples/java/mien/Raw.java", write_java.raw_interface(plan)
@@ -40,21 +42,30 @@ def written(plan):
     yield "examples/java/foreign/mien/RawForeign.java", write_java.raw_foreign(plan)
 
 
+# Folders that hold nothing but written files: what is not written any more goes.
+WRITTEN_FOLDERS = ("examples/python/mien/classes/*.py", "examples/csharp/classes/*.cs")
+
+
 def main():
     try:
         plan = make_plan(read_interface(PROJECT / "include/mien"))
     except HeaderError as problem:
         print(problem)
         return 1
-    stale = []
+    stale, names = [], set()
     for name, text in written(plan):
         path = PROJECT / name
+        names.add(path)
         if path.exists() and path.read_text() == text:
             continue
         stale.append(name)
         if "--check" not in sys.argv:
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text)
+    for path in (p for folder in WRITTEN_FOLDERS for p in PROJECT.glob(folder) if p not in names):
+        stale.append(str(path.relative_to(PROJECT)))
+        if "--check" not in sys.argv:
+            path.unlink()
     if "--check" in sys.argv and stale:
         print("out of date, run python3 abi/generate_bindings.py: " + ", ".join(stale))
         return 1

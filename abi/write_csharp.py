@@ -1,4 +1,4 @@
-"""C#: examples/csharp/Native.cs (structs and functions as C has them) and Classes.cs."""
+"""C#: examples/csharp/Native.cs (structs and functions as C has them) and classes/NAME.cs, one file per class."""
 from documentation import base_of
 from host_plan import camel, element, host_words, lent_class, lower_camel, number_result, owns_count, scalars_first, sentences, visible_fields
 from write_classes import Body, Dialect, doc_lines, escape, ordered
@@ -287,57 +287,76 @@ def write_method(method, plan, dialect, dtype=None):
     return lines
 
 
-def classes_file(plan):
+HEAD = ["// Written by abi/generate_bindings.py; how classes work stands in Runtime.cs.", "using System;", "using System.Collections.Generic;",
+        "using System.Threading;", "using System.Threading.Tasks;", "using Mien.Native;", "", "namespace Mien", "{"]
+
+
+def enum_lines(group, plan):
+    prefix = "MIEN_" if group.name == "STATUS" else f"MIEN_{group.name}_"
+    lines = summary(host_words(group.comment) or f"MIEN_{group.name}_* of the C interface.", "    ")
+    lines += [f"    public enum {plan.enums[group.name]}", "    {"]
+    for c in group.constants:
+        lines += summary(host_words(c.comment), "        ")
+        lines.append(f"        {pascal(c.name[len(prefix):].lower())} = {c.value},")
+    return lines + ["    }"]
+
+
+def result_lines(name, outputs, plan):
+    lines = ["    /// <summary>What comes out of one call.</summary>", f"    public sealed class {name}", "    {"]
+    arguments = ", ".join(f"{output_type(p, plan)} {word(p.name)}" for p in outputs)
+    lines += [f"        internal {name}({arguments})", "        {"]
+    lines += [f"            {pascal(p.name)} = {word(p.name)};" for p in outputs] + ["        }", ""]
+    for p in outputs:
+        lines += summary(host_words(p.comment), "        ")
+        lines.append(f"        public {output_type(p, plan)} {pascal(p.name)} {{ get; private set; }}")
+    return lines + ["    }"]
+
+
+def handle_lines(handle, methods, plan, dialect):
+    name = camel(handle)
+    lines = summary(host_words(plan.interface.handles[handle]), "    ")
+    lines += [f"    public sealed unsafe class {name} : NativeObject", "    {",
+              f"        internal {name}(IntPtr owned) : base(owned, at => Functions.{handle}_release(at)) {{ }}", ""]
+    makers = {m.name: m for m in methods}
+    plain = makers.get("create") if makers.get("create") and not makers["create"].inputs else None
+    fuller = makers.get("create_with_options") if plain else None
+    for maker in filter(None, (plain, fuller)):
+        arguments = ", ".join(f"{host_type(p, plan)} {word(p.name)}" for p in maker.inputs)
+        passed = ", ".join(word(p.name) for p in maker.inputs)
+        lines += summary(host_words(maker.function.purpose), "        ")
+        lines += [f"        public {name}({arguments}) : base({pascal(maker.name)}({passed})) {{ }}", ""]
+    if f"{handle}_retain" in plan.lifetime:
+        lines += ["        /// <summary>One more object for the same native one: each may be disposed by itself.</summary>",
+                  f"        public {name} Share()", "        {", "            using (var call = new Call())", "            {",
+                  "                var at = call.Use(this);", f"                Functions.{handle}_retain(at);",
+                  f"                return new {name}(at);", "            }", "        }", ""]
+    for m in methods:
+        if m.dtype is not None:
+            lines += write_method(m, plan, dialect, "double") + write_method(m, plan, dialect, "float")
+        else:
+            lines += write_method(m, plan, dialect)
+    return lines[:-1] + ["    }"]
+
+
+def class_files(plan):
+    """(name, text) of every class: one file each, named as the class."""
     interface, dialect = plan.interface, CSharp(plan)
-    lines = ["// Classes over the C interface: one per handle, struct and group of constants.",
-             "// Written by abi/generate_bindings.py; how they work stands in Runtime.cs.", "using System;", "using System.Collections.Generic;",
-             "using System.Threading;", "using System.Threading.Tasks;", "using Mien.Native;", "", "namespace Mien", "{"]
     for group in interface.groups:
-        prefix = "MIEN_" if group.name == "STATUS" else f"MIEN_{group.name}_"
-        lines += summary(host_words(group.comment) or f"MIEN_{group.name}_* of the C interface.", "    ")
-        lines += [f"    public enum {plan.enums[group.name]}", "    {"]
-        for c in group.constants:
-            lines += summary(host_words(c.comment), "        ")
-            lines.append(f"        {pascal(c.name[len(prefix):].lower())} = {c.value},")
-        lines += ["    }", ""]
+        yield plan.enums[group.name], enum_lines(group, plan)
     for s in interface.structs:
         if s.name not in ("mien_error", "mien_array_view"):
-            lines += write_struct(s, plan)
+            yield camel(s.name), write_struct(s, plan)[:-1]
     for name, outputs in plan.results.items():
-        lines += [f"    /// <summary>What comes out of one call.</summary>", f"    public sealed class {name}", "    {"]
-        arguments = ", ".join(f"{output_type(p, plan)} {word(p.name)}" for p in outputs)
-        lines += [f"        internal {name}({arguments})", "        {"]
-        lines += [f"            {pascal(p.name)} = {word(p.name)};" for p in outputs] + ["        }", ""]
-        for p in outputs:
-            lines += summary(host_words(p.comment), "        ")
-            lines.append(f"        public {output_type(p, plan)} {pascal(p.name)} {{ get; private set; }}")
-        lines += ["    }", ""]
+        yield name, result_lines(name, outputs, plan)
     for handle, methods in plan.classes.items():
-        name = camel(handle)
-        lines += summary(host_words(interface.handles[handle]), "    ")
-        lines += [f"    public sealed unsafe class {name} : NativeObject", "    {",
-                  f"        internal {name}(IntPtr owned) : base(owned, at => Functions.{handle}_release(at)) {{ }}", ""]
-        makers = {m.name: m for m in methods}
-        plain = makers.get("create") if makers.get("create") and not makers["create"].inputs else None
-        fuller = makers.get("create_with_options") if plain else None
-        for maker in filter(None, (plain, fuller)):
-            arguments = ", ".join(f"{host_type(p, plan)} {word(p.name)}" for p in maker.inputs)
-            passed = ", ".join(word(p.name) for p in maker.inputs)
-            lines += summary(host_words(maker.function.purpose), "        ")
-            lines += [f"        public {name}({arguments}) : base({pascal(maker.name)}({passed})) {{ }}", ""]
-        if f"{handle}_retain" in plan.lifetime:
-            lines += ["        /// <summary>One more object for the same native one: each may be disposed by itself.</summary>",
-                      f"        public {name} Share()", "        {", "            using (var call = new Call())", "            {",
-                      "                var at = call.Use(this);", f"                Functions.{handle}_retain(at);",
-                      f"                return new {name}(at);", "            }", "        }", ""]
-        for m in methods:
-            if m.dtype is not None:
-                lines += write_method(m, plan, dialect, "double") + write_method(m, plan, dialect, "float")
-            else:
-                lines += write_method(m, plan, dialect)
-        lines[-1:] = ["    }", ""]
-    lines += ["    /// <summary>What belongs to no object.</summary>", "    public static class Information", "    {"]
+        yield camel(handle), handle_lines(handle, methods, plan, dialect)
+    lines = ["    /// <summary>What belongs to no object.</summary>", "    public static class Information", "    {"]
     for m in plan.library:
         lines += write_method(m, plan, dialect)
-    lines[-1:] = ["    }", "}"]
-    return "\n".join(lines) + "\n"
+    yield "Information", lines[:-1] + ["    }"]
+
+
+def files(plan):
+    """(name, text) of the files under examples/csharp/classes."""
+    for name, lines in class_files(plan):
+        yield name, "\n".join(HEAD + lines + ["}"]) + "\n"

@@ -1,4 +1,4 @@
-"""Python: examples/python/mien/abi.py (structs, signatures, what each parameter is) and classes.py."""
+"""Python: examples/python/mien/abi.py (structs, signatures, what each parameter is) and classes/NAME.py, one file per class."""
 import keyword
 
 from documentation import base_of
@@ -187,65 +187,99 @@ def write_struct(struct, plan):
     return lines
 
 
-def classes_module(plan):
+HEAD = ["from __future__ import annotations", "", "import enum  # noqa: F401", "from typing import TYPE_CHECKING, Callable, NamedTuple, Sequence  # noqa: F401",
+        "", "import numpy  # noqa: F401", "from numpy.typing import ArrayLike, DTypeLike  # noqa: F401", "",
+        "from ..runtime import Object as _Object  # noqa: F401", "from ..runtime import Options as _Options  # noqa: F401",
+        "from ..runtime import Progress, Text  # noqa: F401", "from ..runtime import Record as _Record  # noqa: F401",
+        "from ..runtime import run as _run  # noqa: F401", "", "if TYPE_CHECKING:", "    from . import *  # noqa: F401,F403"]
+
+
+def snake(name):
+    return "".join("_" + c.lower() if c.isupper() else c for c in name).lstrip("_")
+
+
+def enum_lines(group, plan):
+    lines = [f"class {plan.enums[group.name]}(enum.IntEnum):"]
+    lines += docstring(sentences(group.comment or f"MIEN_{group.name}_* of the C interface.", 108), "    ")
+    prefix = "MIEN_" if group.name == "STATUS" else f"MIEN_{group.name}_"
+    for c in group.constants:
+        if c.comment:
+            lines += [f"    #: {row}" for row in sentences(c.comment, 106)]
+        lines.append(f"    {c.name[len(prefix):]} = {c.value}")
+    return lines
+
+
+def result_lines(name, outputs, plan):
+    lines = [f"class {name}(NamedTuple):"]
+    for p in outputs:
+        if p.comment:
+            lines += [f"    #: {row}" for row in sentences(host_words(p.comment), 106)]
+        lines.append(f"    {safe(p.name)}: {output_hint(p, plan)}")
+    return lines
+
+
+def handle_lines(handle, methods, plan):
+    lines = [f"class {camel(handle)}(_Object):"]
+    lines += docstring(sentences(plan.interface.handles[handle], 108), "    ")
+    lines += [f'    _release = "{handle}_release"']
+    if f"{handle}_retain" in plan.lifetime:
+        lines.append(f'    _retain = "{handle}_retain"')
+        lines += ["", f"    def share(self) -> {camel(handle)}:",
+                  '        """One more object for the same native one: each may be closed by itself."""',
+                  f"        return self._share()"]
+    lines.append("")
+    makers = {m.name: m for m in methods}
+    plain = makers.get("create") if makers.get("create") and not makers["create"].inputs else None
+    if plain is not None:
+        fuller = makers.get("create_with_options")
+        options = fuller.inputs[0] if fuller else None
+        lines.append(f"    def __init__(self{f', options: {camel(options.base)} | None = None' if options else ''}) -> None:")
+        lines += docstring(sentences(plain.function.purpose + (" With options: those." if options else ""), 104), "        ")
+        call = f'_run("{plain.function.name}", {{}})'
+        if options:
+            call = f'_run("{fuller.function.name}", {{"options": options}}) if options is not None else {call}'
+        lines += [f"        self._take(({call})[0])", ""]
+    for m in methods:
+        if m is not plain and not (plain is not None and m.name == "create_with_options"):
+            lines += write_method(m, plan)
+    return lines[:-1]
+
+
+def class_lines(plan):
+    """(name, lines) of every class."""
     interface = plan.interface
-    exported = sorted([camel(h) for h in interface.handles] + list(plan.enums.values()) + list(plan.results) +
-                      [camel(s.name) for s in interface.structs if s.name not in ("mien_error", "mien_array_view")] +
-                      [m.name for m in plan.library])
-    lines = ['"""Classes over the C interface, one per handle, struct and group of constants.', "",
-             "Written by abi/generate_bindings.py; how they work stands in runtime.py.", '"""',
-             "from __future__ import annotations", "", "import enum", "from typing import Callable, NamedTuple, Sequence", "",
-             "import numpy", "from numpy.typing import ArrayLike, DTypeLike", "",
-             "from .runtime import Options as _Options", "from .runtime import Object as _Object", "from .runtime import Progress, Text",
-             "from .runtime import Record as _Record", "from .runtime import register_classes as _register_classes",
-             "from .runtime import run as _run", "", "__all__ = ["]
-    lines += [f'    "{name}",' for name in exported] + ["]"]
     for group in interface.groups:
-        lines += ["", "", f"class {plan.enums[group.name]}(enum.IntEnum):"]
-        lines += docstring(sentences(group.comment or f"MIEN_{group.name}_* of the C interface.", 108), "    ")
-        prefix = "MIEN_" if group.name == "STATUS" else f"MIEN_{group.name}_"
-        for c in group.constants:
-            if c.comment:
-                lines += [f"    #: {row}" for row in sentences(c.comment, 106)]
-            lines.append(f"    {c.name[len(prefix):]} = {c.value}")
+        yield plan.enums[group.name], enum_lines(group, plan)
     for struct in interface.structs:
         if struct.name not in ("mien_error", "mien_array_view"):
-            lines += write_struct(struct, plan)
+            lines = write_struct(struct, plan)
+            yield camel(struct.name), lines[next(k for k, line in enumerate(lines) if line):]
     for name, outputs in plan.results.items():
-        lines += ["", "", f"class {name}(NamedTuple):"]
-        for p in outputs:
-            if p.comment:
-                lines += [f"    #: {row}" for row in sentences(host_words(p.comment), 106)]
-            lines.append(f"    {safe(p.name)}: {output_hint(p, plan)}")
+        yield name, result_lines(name, outputs, plan)
     for handle, methods in plan.classes.items():
-        lines += ["", "", f"class {camel(handle)}(_Object):"]
-        lines += docstring(sentences(interface.handles[handle], 108), "    ")
-        lines += [f'    _release = "{handle}_release"']
-        if f"{handle}_retain" in plan.lifetime:
-            lines.append(f'    _retain = "{handle}_retain"')
-            lines += ["", f"    def share(self) -> {camel(handle)}:",
-                      '        """One more object for the same native one: each may be closed by itself."""',
-                      f"        return self._share()"]
-        lines.append("")
-        makers = {m.name: m for m in methods}
-        plain = makers.get("create") if makers.get("create") and not makers["create"].inputs else None
-        if plain is not None:
-            fuller = makers.get("create_with_options")
-            options = fuller.inputs[0] if fuller else None
-            lines.append(f"    def __init__(self{f', options: {camel(options.base)} | None = None' if options else ''}) -> None:")
-            lines += docstring(sentences(plain.function.purpose + (" With options: those." if options else ""), 104), "        ")
-            call = f'_run("{plain.function.name}", {{}})'
-            if options:
-                call = f'_run("{fuller.function.name}", {{"options": options}}) if options is not None else {call}'
-            lines += [f"        self._take(({call})[0])", ""]
-        for m in methods:
-            if m is not plain and not (plain is not None and m.name == "create_with_options"):
-                lines += write_method(m, plan)
-        lines.pop()
+        yield camel(handle), handle_lines(handle, methods, plan)
+
+
+def files(plan):
+    """(name, text) of the files under examples/python/mien/classes: one module per class, and what gathers them."""
+    gathered = []
+    for name, lines in class_lines(plan):
+        gathered.append(name)
+        title = f'"""{name}. Written by abi/generate_bindings.py; how classes work stands in runtime.py."""'
+        yield snake(name), "\n".join([title, *HEAD, "", "", *lines]) + "\n"
+    lines = ['"""What belongs to no object. Written by abi/generate_bindings.py."""', *HEAD]
     for m in plan.library:
-        lines += ["", ""] + write_method(m, plan)
-        lines.pop()
+        lines += ["", ""] + write_method(m, plan)[:-1]
+    yield "information", "\n".join(lines) + "\n"
+    functions = [m.name for m in plan.library]
+    lines = ['"""Classes over the C interface, one module per handle, struct and group of constants.', "",
+             "Written by abi/generate_bindings.py; how they work stands in runtime.py.", '"""', "import sys as _sys", "",
+             "from ..runtime import register_classes as _register_classes"]
+    lines += [f"from .{snake(name)} import {name}" for name in sorted(gathered)]
+    lines += [f"from .information import {', '.join(sorted(functions))}", "", "__all__ = ["]
+    lines += [f'    "{name}",' for name in sorted(gathered + functions)] + ["]"]
     pairs = ", ".join(f'"{group}": {name}' for group, name in plan.enums.items())
-    lines += ["", ""] + sentences(f"_enums = {{{pairs}}}", 108)
-    lines += ["_register_classes(globals())"]
-    return "\n".join(lines) + "\n"
+    lines += [""] + sentences(f"_enums = {{{pairs}}}", 108)
+    lines += ["_register_classes(globals())", "# The modules' type hints name each other's classes.",
+              "for _name in __all__:", "    vars(_sys.modules[globals()[_name].__module__]).update({name: globals()[name] for name in __all__})"]
+    yield "__init__", "\n".join(lines) + "\n"

@@ -2,7 +2,7 @@
 # Builds what the self-contained packages need, as static libraries, from Debian's source packages.
 #   dependencies.sh linux-x86_64|linux-aarch64|windows-x86_64 WORK_DIR
 # The result is WORK_DIR/MACHINE: OpenMesh, zlib, libpng, libjpeg, and the header-only libraries of this
-# machine's packages (libeigen3-dev libspectra-dev nlohmann-json3-dev libcli11-dev), with their
+# machine's packages (libeigen3-dev nlohmann-json3-dev libcli11-dev), with their
 # licence files in share/licenses. Nothing is built twice.
 set -e
 machine=$1
@@ -94,7 +94,6 @@ borrow() { # package, paths below /usr ...
 }
 
 borrow libeigen3-dev include/eigen3 share/eigen3
-borrow libspectra-dev include/Spectra share/spectra
 borrow nlohmann-json3-dev include/nlohmann share/cmake/nlohmann_json
 borrow libcli11-dev include/CLI share/cmake/CLI11
 # Debian's OpenMesh builds shared libraries only, and a package that needs nothing links it statically.

@@ -3,7 +3,7 @@
 # Needs root or sudo only when something is missing.
 set -eu
 
-build="g++ cmake ninja-build ccache pkg-config libeigen3-dev libopenmesh-dev libspectra-dev
+build="g++ cmake ninja-build ccache pkg-config libeigen3-dev libopenmesh-dev
        nlohmann-json3-dev libcli11-dev libpng-dev libjpeg62-turbo-dev"
 test="libgtest-dev libbenchmark-dev python3 python3-numpy python3-scipy clang clang-format clang-tidy git
       abigail-tools

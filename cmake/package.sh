@@ -11,7 +11,7 @@ work=${2:-$project/build/package}
 mkdir -p "$work"
 work=$(cd "$work" && pwd)
 
-packages="cmake ninja-build dpkg-dev libeigen3-dev libspectra-dev nlohmann-json3-dev libcli11-dev"
+packages="cmake ninja-build dpkg-dev libeigen3-dev nlohmann-json3-dev libcli11-dev"
 toolchain=-DCMAKE_TOOLCHAIN_FILE=$project/cmake/$machine.cmake
 case $machine in
 linux-x86_64) packages="$packages g++"; toolchain=; tools= ;;
@@ -41,7 +41,7 @@ cmake --build "$work/$machine" -j "${MIEN_JOBS:-$(nproc)}" >>"$work/$machine.log
 # Names and lines for debuggers, which the archive's files are stripped of, and the link to them (gdb looks beside the file).
 debug=$work/$machine/debug
 rm -rf "$debug" && mkdir -p "$debug"
-for file in "$work/$machine"/bin/mien "$work/$machine"/bin/mien.exe "$work/$machine"/bin/mien-0.dll "$work/$machine"/bin/libmien.so.*.*.* \
+for file in "$work/$machine"/bin/mien "$work/$machine"/bin/mien.exe "$work/$machine"/bin/mien-demo-data "$work/$machine"/bin/mien-demo-data.exe "$work/$machine"/bin/mien-0.dll "$work/$machine"/bin/libmien.so.*.*.* \
     "$work/$machine"/abi/libmien.so.*.*.*; do
     [ -f "$file" ] || continue
     name=$(basename "$file")
@@ -50,6 +50,40 @@ for file in "$work/$machine"/bin/mien "$work/$machine"/bin/mien.exe "$work/$mach
     (cd "$debug" && "${tools}objcopy" --add-gnu-debuglink="$name.debug" "$file")
 done
 [ "$(ls "$debug" | wc -l)" -ge 2 ] || { echo "FAILED: no library and command to take debug information from" >&2; exit 1; }
+
+# What the archive tells of itself: its README with the C library that it needs, what is inside, and a demo that this machine's
+# own programs make. For another machine the demo is made by MIEN_NATIVE, a build of this machine, or by the programs through qemu or wine.
+archive_parts=$work/$machine/archive
+mkdir -p "$archive_parts"
+bin=$work/$machine/bin
+exe=
+case $machine in
+linux-*)
+    glibc=$("${tools}objdump" -T "$bin/mien" "$bin/mien-demo-data" "$work/$machine"/abi/libmien.so.*.*.* | grep -o 'GLIBC_[0-9.]*' | sort -V | tail -1 |
+        sed 's/GLIBC_//')
+    needs="glibc $glibc or later"
+    more=
+    ;;
+windows-x86_64)
+    needs="Windows 10 or later, 64 bits"
+    more="; \`mien-0.dll\`, the library"
+    exe=.exe
+    ;;
+esac
+version=$(sed -n 's/^project(mien VERSION \([0-9.]*\).*/\1/p' "$project/CMakeLists.txt")
+sed -e "s|@VERSION@|$version|; s|@MINOR@|${version%.*}|; s|@MACHINE@|$machine|; s|@NEEDS@|$needs|; s|@BIN_MORE@|$more|" \
+    "$project/cmake/archive-README.md" >"$archive_parts/README.md"
+python3 "$project/cmake/sbom.py" "$work/$machine" "$archive_parts/sbom"
+if [ ! -f "$archive_parts/demo/face.safetensors" ]; then
+    programs=$bin
+    if [ "$machine" != "linux-$(uname -m)" ]; then
+        programs=${MIEN_NATIVE:+$MIEN_NATIVE/bin}
+        [ -n "$programs" ] || programs=$work/linux-$(uname -m)/bin
+        [ -x "$programs/mien-demo-data" ] || { echo "FAILED: no programs of this machine to make the demo with: package linux-$(uname -m) first, or set MIEN_NATIVE" >&2; exit 1; }
+    fi
+    sh "$project/cmake/make-demo.sh" "$programs/mien" "$programs/mien-demo-data" "$archive_parts/demo"
+fi
+
 (cd "$work/$machine" && cpack -B "$work/$machine/packed" >>"$work/$machine.log")
 cp "$work/$machine"/packed/mien-*.tar.gz* "$work/$machine"/packed/mien-*.zip* "$work" 2>/dev/null || true
 
@@ -99,6 +133,11 @@ echo "$(basename "$library"): $size bytes, needs $(needed_by "$library")"
 echo "$(basename "$command"): $(wc -c <"$command") bytes, needs $(needed_by "$command")"
 for name in $(needed_by "$library"); do
     echo "$name" | grep -qE "^($allowed)$" || { echo "FAILED: the library needs $name" >&2; exit 1; }
+done
+for name in README.md LICENSE share/doc/mien/CHANGELOG.md share/doc/mien/SECURITY.md share/sbom/mien.spdx.json share/sbom/mien.cdx.json \
+    share/licenses/mien/dependencies share/mien/examples/python/mien/runtime.py share/mien/examples/java/mien_jni.c \
+    share/mien/examples/csharp/Runtime.cs share/mien/examples/c/first_program.c share/mien/demo/visits/patient.json "bin/mien-demo-data$exe"; do
+    [ -e "$root/$name" ] || { echo "FAILED: the archive has no $name" >&2; exit 1; }
 done
 for name in $(needed_by "$command"); do
     echo "$name" | grep -qE "^($allowed|$own)$" || { echo "FAILED: the command needs $name" >&2; exit 1; }

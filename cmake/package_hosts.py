@@ -45,7 +45,7 @@ NUSPEC = f"""<?xml version="1.0" encoding="utf-8"?>
     <authors>Mien</authors>
     <description>{ABOUT}</description>
     <license type="expression">Apache-2.0</license>
-    <contentFiles><files include="cs/any/*.cs" buildAction="Compile" /></contentFiles>
+    <contentFiles><files include="cs/any/**/*.cs" buildAction="Compile" /></contentFiles>
     <dependencies><group targetFramework=".NETStandard2.1" /><group targetFramework="net8.0" /></dependencies>
   </metadata>
 </package>
@@ -108,7 +108,7 @@ def make_wheel(library, out):
     (stage / "pyproject.toml").write_text(
         f'[build-system]\nrequires = ["setuptools>=61", "wheel"]\nbuild-backend = "setuptools.build_meta"\n\n[project]\nname = "mien"\n'
         f'version = "{VERSION}"\ndescription = "{ABOUT}"\nrequires-python = ">=3.9"\ndependencies = ["numpy"]\nlicense = {{text = "Apache-2.0"}}\n\n'
-        '[tool.setuptools]\npackages = ["mien"]\n\n[tool.setuptools.package-data]\nmien = ["native/*"]\n')
+        '[tool.setuptools]\npackages = ["mien", "mien.classes"]\n\n[tool.setuptools.package-data]\nmien = ["native/*"]\n')
     run(python, "-m", "pip", "wheel", "--quiet", "--no-index", "--no-deps", "--no-build-isolation", "-w", out, stage)
     shutil.rmtree(stage)
     return str(next(out.glob("mien-*.whl")))
@@ -122,8 +122,9 @@ def make_nuget(library, out):
         package.writestr("Mien.nuspec", NUSPEC)
         package.writestr("build/Mien.props", PROPS)
         package.write(PROJECT / "LICENSE", "LICENSE")
-        for name in ("Native.cs", "Classes.cs", "Runtime.cs"):
-            package.write(PROJECT / "examples/csharp" / name, f"contentFiles/cs/any/{name}")
+        csharp = PROJECT / "examples/csharp"
+        for path in (csharp / "Native.cs", csharp / "Runtime.cs", *sorted((csharp / "classes").glob("*.cs"))):
+            package.write(path, f"contentFiles/cs/any/{path.relative_to(csharp)}")
         package.write(library, f"runtimes/linux-{'arm64' if ARM else 'x64'}/native/{LIBRARY}")
     return str(path)
 

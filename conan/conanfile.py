@@ -49,7 +49,6 @@ class MienConan(ConanFile):
         # A shared library swallows its dependencies; a static one hands OpenMesh on to the linker.
         hidden = {"transitive_headers": False, "transitive_libs": False}
         self.requires("eigen/3.4.0", **hidden)
-        self.requires("spectra/1.0.1", **hidden)
         self.requires("nlohmann_json/3.11.2", **hidden)
         self.requires("openmesh/9.0", transitive_headers=False, transitive_libs=not self.options.shared)
         if self.options.cli:
@@ -100,7 +99,7 @@ class MienConan(ConanFile):
         self.cpp_info.libs = ["mien"]
         if not self.options.shared:
             self.cpp_info.defines = ["MIEN_STATIC"]
-            self.cpp_info.requires = ["openmesh::openmesh", "eigen::eigen", "spectra::spectra", "nlohmann_json::nlohmann_json"]
+            self.cpp_info.requires = ["openmesh::openmesh", "eigen::eigen", "nlohmann_json::nlohmann_json"]
             if self.options.cli:
                 self.cpp_info.requires += ["cli11::cli11"]
             if self.options.cli or self.options.images:

@@ -37,6 +37,7 @@ run cancels "$build/tests/endurance/endurance" cancels 5000
 run latency "$build/tests/endurance/endurance" latency 20
 run crafted "$build/tests/endurance/endurance" crafted 1
 run disk "$build/tests/endurance/endurance" disk 5000
+run static-library sh "$source/tests/bindings/static_library.sh" "$source" "$build/long-static"
 [ -z "${MIEN_CORPUS:-}" ] || run corpus "$build/tests/endurance/endurance" corpus "$MIEN_CORPUS"
 run soak "$build/tests/endurance/endurance" soak 500
 fuzz_for fuzz-meshes "$build/tests/fuzz/fuzz_files" 200000

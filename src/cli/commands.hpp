@@ -20,7 +20,8 @@ class Session : public mien::Session {
 struct Common {
     int num_threads = 1;
     std::uint64_t seed = 0;
-    std::string json_path;  ///< empty: no machine-readable report
+    std::string json_path;   ///< empty: no machine-readable report
+    std::string run_record;  ///< empty: the run is not recorded
 };
 
 /// Adds --threads and --json to a command; --seed where chance is involved.

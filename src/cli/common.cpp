@@ -81,6 +81,10 @@ void add_common_options(CLI::App& command, Common& common, bool with_seed) {
         ->check(CLI::Range(1, 256))
         ->capture_default_str();
     command.add_option("--json", common.json_path, "write a machine-readable report to this file");
+    // Read by main(), which sees the files before and after the run.
+    command.add_option("--run-record", common.run_record,
+                       "keep the hashes of all files, the options and the software in this file, "
+                       "for mien replay");
     if (with_seed)
         command.add_option("--seed", common.seed, "seed of all chance")->capture_default_str();
 }

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "commands.hpp"
+#include "run_record.hpp"
 #include "suggest.hpp"
 
 namespace {
@@ -19,7 +20,7 @@ void group_by_job(CLI::App& app) {
         {"Take expressions off, put them on", {"neutralize", "expression", "transfer-expression"}},
         {"Measure and report", {"measure", "report", "score"}},
         {"Frequencies and networks", {"spectral", "network"}},
-        {"Check and look", {"evaluate", "metric", "render"}}};
+        {"Check and look", {"evaluate", "metric", "render", "replay"}}};
     for (const auto& [job, commands] : kJobs)
         for (CLI::App* command : app.get_subcommands(nullptr))
             if (std::find(commands.begin(), commands.end(), command->get_name()) != commands.end())
@@ -39,29 +40,41 @@ int wrong_usage(const CLI::App& app, const CLI::ParseError& failure, int argc, c
     return 2;
 }
 
-}  // namespace
+void add_commands(CLI::App& app) {
+    mien::cli::add_model_commands(app);
+    mien::cli::add_registration_commands(app);
+    mien::cli::add_transfer_commands(app);
+    mien::cli::add_landmark_commands(app);
+    mien::cli::add_mesh_commands(app);
+    mien::cli::add_training_commands(app);
+    mien::cli::add_expression_commands(app);
+    mien::cli::add_face_commands(app);
+    mien::cli::add_measure_commands(app);
+    mien::cli::add_score_commands(app);
+    mien::cli::add_network_commands(app);
+    mien::cli::add_report_commands(app);
+    mien::cli::add_spectral_commands(app);
+    mien::cli::add_render_commands(app);
+}
 
-int main(int argc, char** argv) {
+/// One command line; `mien replay` runs another one inside.
+int run(int argc, char** argv) {
     CLI::App app{"Registers 3D face scans, removes facial expressions, measures what changed."};
     app.set_version_flag("--version", mien_build_id());
     app.require_subcommand(1);
     try {
-        mien::cli::add_model_commands(app);
-        mien::cli::add_registration_commands(app);
-        mien::cli::add_transfer_commands(app);
-        mien::cli::add_landmark_commands(app);
-        mien::cli::add_mesh_commands(app);
-        mien::cli::add_training_commands(app);
-        mien::cli::add_expression_commands(app);
-        mien::cli::add_face_commands(app);
-        mien::cli::add_measure_commands(app);
-        mien::cli::add_score_commands(app);
-        mien::cli::add_network_commands(app);
-        mien::cli::add_report_commands(app);
-        mien::cli::add_spectral_commands(app);
-        mien::cli::add_render_commands(app);
+        add_commands(app);
+        mien::cli::add_replay_command(
+            app, [program = argv[0]](const std::vector<std::string>& arguments) {
+                std::vector<std::string> words = arguments;
+                std::vector<char*> pointers{program};
+                for (std::string& word : words) pointers.push_back(&word[0]);
+                return run(static_cast<int>(pointers.size()), pointers.data());
+            });
         group_by_job(app);
+        const mien::cli::RunRecord record({argv + 1, argv + argc});
         app.parse(argc, argv);
+        record.finish(app);
         return 0;
     } catch (const CLI::ParseError& failure) {
         return wrong_usage(app, failure, argc, argv);
@@ -71,4 +84,10 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "mien: %s\n", failure.what());
     }
     return 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    return run(argc, argv);
 }

@@ -13,7 +13,7 @@ KnownFace read_known_face(const Session& session, const std::string& path, const
             sd_mm ? std::vector<double>(mesh.vertex_count(), *sd_mm) : std::vector<double>();
         return {mesh, sd, sd};
     }
-    const Registration fit = read_fitted(session, {path, json}, {}).fit;
+    const Registration fit = read_fitted(session, {path, json}, {}, {}).fit;
     if (fit.verdict().quality == MIEN_QUALITY_FAILED) return {fit.mesh(), {}, {}};
     return {fit.mesh(), fit.field(MIEN_REGISTRATION_NORMAL_DEVIATION_MM),
             fit.field(MIEN_REGISTRATION_STANDARD_DEVIATION_MM)};

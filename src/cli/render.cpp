@@ -10,6 +10,9 @@ namespace {
 using Vec = std::array<double, 3>;
 constexpr int kSamples = 2;  // samples per pixel and axis
 constexpr int kMargin = 10;  // pixels around each view
+// A line lies on the surface, whose triangles may hide it by rounding and by their bends.
+constexpr double kLineSlackMm = 1.5;
+constexpr Rgb kLineColor{30, 90, 60};
 
 Vec minus(const Vec& a, const Vec& b) {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
@@ -154,6 +157,23 @@ class Raster {
                 image.set(x, y, shade({0, 0, 1}, color));
             }
     }
+    /// A line on the surface: hidden only by what lies in front of it by more than `slack`.
+    void line(const Vec& from, const Vec& to, double slack, const Rgb& color) {
+        const double steps = std::clamp(
+            std::ceil(std::max(std::fabs(to[0] - from[0]), std::fabs(to[1] - from[1]))), 1.0, 1e5);
+        for (double step = 0; step <= steps; ++step) {
+            const double t = step / steps, z = from[2] + t * (to[2] - from[2]);
+            const int x = static_cast<int>(std::lround(from[0] + t * (to[0] - from[0])));
+            const int y = static_cast<int>(std::lround(from[1] + t * (to[1] - from[1])));
+            for (int j = -1; j <= 1; ++j)
+                for (int i = -1; i <= 1; ++i)
+                    if (image.contains(x + i, y + j) &&
+                        z + slack >= depth_[static_cast<std::size_t>(y + j) *
+                                                static_cast<std::size_t>(image.width) +
+                                            static_cast<std::size_t>(x + i)])
+                        image.set(x + i, y + j, color);
+        }
+    }
     Image image;
 
   private:
@@ -208,6 +228,8 @@ Image render_view(const MeshArrays& mesh, const std::vector<Vec>& normals,
     }
     if (mesh.triangles.empty())
         for (std::size_t v = 0; v < placed.size(); ++v) raster.dot_at(placed[v], colors[v]);
+    for (const auto& edge : options.lines)
+        raster.line(placed[edge[0]], placed[edge[1]], kLineSlackMm, kLineColor);
     Image view = smaller(raster.image);
     for (const Position& p : options.points) {
         const Vec q = place(p, 1);
@@ -301,6 +323,9 @@ Image render_mesh(const MeshArrays& mesh, const RenderOptions& options) {
         throw std::invalid_argument("the scalar has " + std::to_string(options.scalar.size()) +
                                     " values for " + std::to_string(mesh.positions.size()) +
                                     " vertices");
+    for (const auto& edge : options.lines)
+        if (edge[0] >= mesh.positions.size() || edge[1] >= mesh.positions.size())
+            throw std::invalid_argument("a line ends at a vertex that the mesh does not have");
     std::vector<Vec> colors(mesh.positions.size(), Vec{205, 200, 195});
     const auto [low, high] = range_of(options);
     for (std::size_t v = 0; v < colors.size(); ++v) {
@@ -331,7 +356,8 @@ Image render_mesh(const MeshArrays& mesh, const RenderOptions& options) {
     for (const std::string& view : options.views)
         parts.push_back(
             render_view(mesh, normals, colors, camera_of(view), framing, frame, options));
-    if (!options.scalar.empty()) parts.push_back(color_bar(options, low, high, options.size));
+    if (!options.scalar.empty() && options.color_bar)
+        parts.push_back(color_bar(options, low, high, options.size));
     Image picture = stack_images(parts, true);
     if (options.title.empty()) return picture;
     Image titled(std::max(picture.width, text_width(options.title, 2) + 20), picture.height + 26);

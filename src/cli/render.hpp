@@ -2,6 +2,7 @@
 // side, with vertex colours or a scalar as a heat map with its colour bar.
 #pragma once
 
+#include <array>
 #include <limits>
 #include <mien/mien.hpp>
 #include <string>
@@ -36,7 +37,10 @@ struct RenderOptions {
     std::string label;             ///< under the colour bar, e.g. "distance, mm"
     std::string title;             ///< above the views
     bool use_colors = true;        ///< vertex colours, when there are any and no scalar
+    bool color_bar = true;         ///< beside the views, when there is a scalar
     std::vector<Position> points;  ///< drawn as dots on top, e.g. landmarks
+    /// Pairs of vertices, drawn as dark lines where they are seen, e.g. the rim of a zone.
+    std::vector<std::array<std::uint32_t, 2>> lines;
     /// Another mesh whose bounding box sets the camera, so that pictures can be compared.
     const MeshArrays* framing = nullptr;
 };

@@ -5,21 +5,22 @@
 // A folder of visits holds one entry per visit, taken in the order of their names: a mesh file, a
 // record of `mien register --record`, or a folder with one or more captures of that visit;
 // landmarks lie beside a mesh as NAME.json or landmarks.json. The first capture of a visit is
-// measured; the others say how repeatable it is.
+// measured; the others say how repeatable it is. patient.json in the folder, visit.json in a
+// visit's folder and NAME.visit.json beside a mesh hold what the page tells of them.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
-#include "render.hpp"
 #include "report_fits.hpp"
 #include "report_page.hpp"
+#include "report_pictures.hpp"
 
 namespace mien::cli {
 namespace {
 
 struct ReportSettings {
     Common common;
-    std::string visits, model, expressions, zones, stable, out, title = "Volume over time";
+    std::string visits, model, expressions, zones, stable, out, title, patient, language = "en";
     std::vector<std::string> shown, treated;
     bool fitted = false;
     std::optional<double> sd;
@@ -36,37 +37,15 @@ std::vector<std::string> split(const std::string& names) {
     return parts;
 }
 
-/// Pictures that differ between visits only where the faces do.
-Image draw_face(const MeshArrays& face, const MeshArrays& framing) {
-    RenderOptions options;
-    options.views = {"front", "left45"};
-    options.size = 360;
-    options.framing = &framing;
-    return render_mesh(face, options);
-}
-
-Image draw_difference(const MeshArrays& face, const std::vector<double>& signed_mm,
-                      const MeshArrays& framing, double range) {
-    RenderOptions options;
-    options.views = {"front", "left45"};
-    options.size = 360;
-    options.framing = &framing;
-    options.scalar = signed_mm;
-    options.color_map = ColorMap::diverging;
-    options.low = -range;
-    options.high = range;
-    options.label = "mm, red: gained";
-    return render_mesh(face, options);
-}
-
 /// Everything that was measured, and which of its zones are shown.
 struct Measured {
     std::vector<Visit> visits;
     std::vector<Fitted> fits;           ///< all captures
     std::vector<std::size_t> first_of;  ///< the capture of each visit that is measured
     std::unique_ptr<Study> study;
-    std::vector<std::int32_t> zones;  ///< of the study, in the order of the tables
-    nlohmann::json told;              ///< by the study
+    std::vector<std::vector<std::uint32_t>> treated;  ///< vertices of the treated zones
+    std::vector<std::int32_t> zones;                  ///< of the study, in the order of the tables
+    nlohmann::json told;                              ///< by the study
     const nlohmann::json& recipe() const { return told["recipe"]; }
     /// Why a zone's change has no interval; empty: it has one.
     std::string unknown(std::size_t visit, std::int32_t zone) const {
@@ -92,6 +71,21 @@ std::vector<std::int32_t> shown_zones(const Study& study, const ReportSettings& 
     return shown;
 }
 
+/// The vertices of the treated zones, as far as they are known: records name their zones alone.
+std::vector<std::vector<std::uint32_t>> treated_vertices(const ReportSettings& settings,
+                                                         const StudyOptions& options,
+                                                         const Model* model) {
+    std::vector<std::vector<std::uint32_t>> found;
+    std::vector<ModelZone> zones;
+    for (const MeasureZone& zone : options.zones) zones.push_back({zone.name, zone.vertices});
+    if (zones.empty() && model != nullptr) zones = Zones::of(*model).all();
+    for (const ModelZone& zone : zones)
+        if (std::find(settings.treated.begin(), settings.treated.end(), zone.name) !=
+            settings.treated.end())
+            found.push_back(zone.vertices);
+    return found;
+}
+
 Measured measure(const Session& session, const ReportSettings& settings) {
     Measured result;
     result.visits = find_visits(settings.visits);
@@ -113,8 +107,9 @@ Measured measure(const Session& session, const ReportSettings& settings) {
     for (const Visit& visit : result.visits) {
         result.first_of.push_back(result.fits.size());
         for (const Capture& capture : visit.captures) {
-            result.fits.push_back(settings.fitted ? read_fitted(session, capture, settings.sd)
-                                                  : fit_scan(session, *model, capture));
+            result.fits.push_back(settings.fitted
+                                      ? read_fitted(session, capture, visit.file, settings.sd)
+                                      : fit_scan(session, *model, capture, visit.file));
             registrations.push_back(result.fits.back().fit);
             options.visits.push_back(static_cast<std::int32_t>(result.first_of.size()) - 1);
         }
@@ -122,6 +117,7 @@ Measured measure(const Session& session, const ReportSettings& settings) {
     result.study = std::make_unique<Study>(session, registrations, expressions.get(), options);
     if (result.study->zone_count() == 0)
         throw CLI::RequiredError("--zones (the fits know of no zone)");
+    result.treated = treated_vertices(settings, options, model.get());
     // Every treated zone stands a second time at the end, unless it has no margin.
     const std::size_t around = options.c.margin_mm > 0 ? settings.treated.size() : 0;
     result.zones = shown_zones(*result.study, settings,
@@ -170,72 +166,76 @@ nlohmann::json zone_entry(const std::string& name, const mien_study_change& v) {
 }
 
 ReportVolume page_volume(const mien_study_change& v, const std::string& unknown) {
-    return {v.signed_ml.value,   v.signed_ml.sd,
-            v.signed_ml.low,     v.signed_ml.high,
-            v.absolute_ml.value, v.signed_ml.limit_of_detection,
-            v.detected == 0,     unknown};
+    return {v.signed_ml.value, v.signed_ml.sd,      v.signed_ml.low,
+            v.signed_ml.high,  v.absolute_ml.value, v.signed_ml.limit_of_detection,
+            v.detected == 0,   v.detected == 1,     unknown};
 }
 
-std::string expression_in_words(const std::string& name) {
-    return name.empty() || name == "neutral" ? "; no expression"
-           : name == "any"                   ? "; an expression without a name taken off"
-                                             : "; expression taken off: " + name;
+std::string expression_in_words(const Words& words, const std::string& name) {
+    return name.empty() || name == "neutral" ? words("no_expression")
+           : name == "any"                   ? words("unnamed_expression")
+                                             : words("expression_off", {name});
 }
 
-std::vector<std::string> notes_of(const ReportSettings& settings, const Measured& m) {
-    std::string stable;
-    for (const auto& name : m.recipe()["stable"])
-        stable += (stable.empty() ? "" : ",") + name.get<std::string>();
-    if (m.recipe()["stable_is_untreated"])
-        stable = "all zones but the treated ones and " + short_number(m.recipe()["margin_mm"]) +
-                 " mm around them";
-    const int blanks = m.recipe()["blanks"];
-    return {
-        settings.fitted ? "Faces were fitted beforehand."
-                        : "Each scan was registered with the template of " + settings.model + ".",
-        m.recipe()["expressions_removed"]
-            ? "Expressions were removed with " + settings.expressions +
-                  ", from all captures together; what that leaves open widens the intervals: the "
-                  "fit's posterior and " +
-                  short_number(100 * m.recipe()["untrained_share"].get<double>()) +
-                  " % of the volume that an expression accounted for."
-            : "Expressions were not removed: the intervals hold for faces that are held alike.",
-        "Faces were aligned on: " + (stable.empty() ? std::string("the whole face") : stable) + ".",
-        std::string("Volumes are exact between corresponding triangles; zones share their edge "
-                    "triangles linearly."),
-        "Intervals combine the deviations of both fits, alike over " +
-            short_number(m.recipe()["correlation_length_mm"]) +
-            " mm, the alignment's and a common bias of " +
-            short_number(m.recipe()["common_bias_mm"]) +
-            " mm. Where the errors of a fit are not known, or too little of a zone was seen, "
-            "none is given.",
-        blanks >= 2
-            ? "Limits of detection come from " + std::to_string(blanks) +
-                  " pairs of captures of the same visit."
-            : "Limits of detection are propagated from the deviations: no visit was captured often "
-              "enough to measure them."};
-}
-
-/// Faces and differences of the visits, drawn alike.
-struct Pictures {
-    Pictures(const Session& session, const Measured& m)
-        : framing(arrays_of(m.fits[0].fit.mesh())), range(0.5) {
-        const Mesh first = m.study->neutral(0);
-        faces.push_back(first);
-        differences.emplace_back();
-        for (std::int32_t k = 1; k < m.study->visit_count(); ++k) {
-            faces.push_back(m.study->neutral(k, 0));
-            const Measurement distance = Measurement::distance(session, first, faces.back());
-            differences.push_back(distance.field(MIEN_FIELD_SIGNED_DISTANCE_MM));
-            range = std::max(range, distance.zone_distance(MIEN_ZONE_WHOLE).p95_length_mm);
-        }
-        range = std::min(range, 10.0);
+/// How well a visit was fitted, in one line.
+std::string verdict_in_words(const Words& words, const Fitted& fitted) {
+    const mien_fit_verdict verdict = fitted.fit.verdict();
+    const std::string quality = words(verdict.quality == MIEN_QUALITY_GOOD       ? "good"
+                                      : verdict.quality == MIEN_QUALITY_DOUBTFUL ? "doubtful"
+                                                                                 : "failed");
+    if (!fitted.judged) return words("fitted_beforehand");
+    if (!fitted.report.is_object() || !fitted.report.contains("coverage"))
+        return words("fitted_beforehand") + "; " + quality;
+    std::string text = quality + ": " +
+                       words("fit_numbers", {words.number(verdict.mean_residual_mm, 2),
+                                             words.number(100 * verdict.coverage, 0)});
+    const nlohmann::json& errors = fitted.report.value("expected_error", nlohmann::json::object());
+    if (errors.contains("face")) {
+        const nlohmann::json& face = errors["face"];
+        text += "; " + words("expected", {words.number(face["expected_mm"].get<double>(), 1),
+                                          words.number(face["low_mm"].get<double>(), 1),
+                                          words.number(face["high_mm"].get<double>(), 1)});
     }
-    MeshArrays framing;
-    double range;  ///< of the colours, mm
-    std::vector<Mesh> faces;
-    std::vector<std::vector<double>> differences;
-};
+    return text;
+}
+
+std::vector<std::string> notes_of(const Words& words, const ReportSettings& settings,
+                                  const Measured& m) {
+    const nlohmann::json& recipe = m.recipe();
+    std::string stable;
+    for (const auto& name : recipe["stable"])
+        stable += (stable.empty() ? "" : ", ") + words.zone(name.get<std::string>());
+    if (recipe["stable_is_untreated"])
+        stable = words("all_untreated", {short_number(recipe["margin_mm"])});
+    if (stable.empty()) stable = words("whole_face");
+    const int blanks = recipe["blanks"];
+    const auto number = [&](const char* key, double factor = 1) {
+        return words.number(short_number(factor * recipe[key].get<double>()));
+    };
+    return {settings.fitted ? words("how_fitted") : words("how_registered", {settings.model}),
+            recipe["expressions_removed"]
+                ? words("how_expressions", {settings.expressions, number("untrained_share", 100)})
+                : words("how_no_expressions"),
+            words("how_aligned", {stable}),
+            words("how_volumes"),
+            words("how_intervals", {number("correlation_length_mm"), number("common_bias_mm")}),
+            blanks >= 2 ? words("how_limits", {std::to_string(blanks)})
+                        : words("how_limits_propagated"),
+            words("how_colors")};
+}
+
+/// What the numbers were made with: enough to make them again.
+ReportFields made_with(const Session& session, const Words& words, const ReportSettings& settings) {
+    ReportFields rows{{words("software"), mien_build_id()}};
+    const auto add = [&](const char* name, const std::string& path) {
+        if (path.empty()) return;
+        rows.emplace_back(words(name), path);
+        rows.emplace_back(words("sha256"), session.hash_file(path));
+    };
+    add("model", settings.model);
+    add("expression_model", settings.expressions);
+    return rows;
+}
 
 void print_table(const Measured& m) {
     for (std::int32_t k = 1; k < m.study->visit_count(); ++k)
@@ -247,48 +247,72 @@ void print_table(const Measured& m) {
         }
 }
 
+/// What the page shows of one visit besides its numbers.
+ReportVisit visit_page(const Session& session, const Words& words, const Measured& m,
+                       const ReportPictures& pictures, std::size_t k) {
+    const auto number = static_cast<std::int32_t>(k);
+    const Fitted& fit = m.fits[m.first_of[k]];
+    const Visit& given = m.visits[k];
+    ReportVisit visit;
+    visit.name = given.shown();
+    visit.date = given.file.date;
+    visit.fields = given.file.fields;
+    visit.good = fit.good();
+    visit.reasons = fit.reasons();
+    visit.verdict = verdict_in_words(words, fit);
+    if (given.captures.size() > 1)
+        visit.verdict += "; " + words("captures", {std::to_string(given.captures.size())});
+    if (m.recipe()["expressions_removed"])
+        visit.verdict += "; " + expression_in_words(words, m.study->expression(number));
+    if (k > 0)
+        visit.verdict +=
+            "; " + words("stable_apart", {words.number(m.study->alignment(0, number).rms_mm, 2)});
+    visit.scan = pictures.scan(session, k);
+    visit.face = pictures.face(k);
+    if (k > 0) visit.change = pictures.change(k);
+    return visit;
+}
+
 /// The report as JSON, and the page's visits beside it.
-nlohmann::json describe(const Session& session, const ReportSettings& settings, const Measured& m,
-                        ReportPage& page) {
-    nlohmann::json report{
-        {"title", settings.title}, {"unit", "mL"}, {"visits", nlohmann::json::array()}};
-    const Pictures pictures(session, m);
+nlohmann::json describe(const Session& session, const Measured& m, ReportPage& page) {
+    nlohmann::json report{{"title", valid_utf8(page.title)},
+                          {"unit", "mL"},
+                          {"language", page.words.language()},
+                          {"visits", nlohmann::json::array()}};
+    std::vector<const Fitted*> fits;
+    for (const std::size_t at : m.first_of) fits.push_back(&m.fits[at]);
+    const ReportPictures pictures(*m.study, fits,
+                                  zone_rims(fits.front()->fit.mesh().triangles(), m.treated));
+    page.range_mm = pictures.range_mm();
+    page.errors_known = pictures.errors_known();
+    page.outlined = !m.treated.empty();
+    std::vector<std::string> names;
     for (std::size_t k = 0; k < m.visits.size(); ++k) {
-        const auto number_of = static_cast<std::int32_t>(k);
-        const Fitted& fit = m.fits[m.first_of[k]];
-        ReportVisit visit;
-        visit.name = m.visits[k].name;
-        visit.good = fit.good;
-        visit.verdict = fit.verdict;
-        nlohmann::json entry{{"name", visit.name},
-                             {"scan", m.visits[k].captures[0].mesh},
+        const auto number = static_cast<std::int32_t>(k);
+        page.visits.push_back(visit_page(session, page.words, m, pictures, k));
+        ReportVisit& visit = page.visits.back();
+        names.push_back(visit.name);
+        const Capture& capture = m.visits[k].captures[0];
+        nlohmann::json entry{{"name", m.visits[k].name},
+                             {"date", visit.date},
+                             {"scan", valid_utf8(capture.mesh)},
+                             {"scan_sha256", session.hash_file(capture.mesh)},
                              {"captures", m.visits[k].captures.size()},
-                             {"registration", fit.report}};
-        if (m.recipe()["expressions_removed"]) {
-            entry["expression"] = m.study->expression(number_of);
-            visit.verdict += expression_in_words(m.study->expression(number_of));
-        }
-        const MeshArrays face = arrays_of(pictures.faces[k]);
-        visit.face = draw_face(face, pictures.framing);
+                             {"registration", fits[k]->report}};
+        if (m.recipe()["expressions_removed"]) entry["expression"] = m.study->expression(number);
         if (k > 0) {
-            const double rms_mm = m.study->alignment(0, number_of).rms_mm;
-            char text[120];
-            std::snprintf(text, sizeof text, "; stable zone %.2f mm apart after alignment", rms_mm);
-            visit.verdict += text;
-            visit.difference =
-                draw_difference(face, pictures.differences[k], pictures.framing, pictures.range);
-            entry["alignment_rms_mm"] = rms_mm;
+            entry["alignment_rms_mm"] = m.study->alignment(0, number).rms_mm;
             entry["zones"] = nlohmann::json::array();
             for (const std::int32_t zone : m.zones) {
-                const mien_study_change change = m.study->change(0, number_of, zone);
+                const mien_study_change change = m.study->change(0, number, zone);
                 visit.volumes.push_back(page_volume(change, m.unknown(k, zone)));
                 entry["zones"].push_back(zone_entry(m.study->zone_name(zone), change));
                 entry["zones"].back()["unknown"] = m.unknown(k, zone);
             }
         }
-        page.visits.push_back(std::move(visit));
         report["visits"].push_back(entry);
     }
+    page.view = pictures.view(page.words, names);
     return report;
 }
 
@@ -296,14 +320,24 @@ void run_report(const ReportSettings& settings) {
     if (!settings.fitted && settings.model.empty())
         throw CLI::RequiredError("--model (or --fitted for meshes that are fitted already)");
     const Session session(settings.common.num_threads);
+    ReportPage page(settings.language);
+    page.title = settings.title.empty() ? page.words("title") : settings.title;
+    const std::string patient =
+        settings.patient.empty() ? patient_file(settings.visits) : settings.patient;
+    if (!patient.empty()) page.patient = read_patient(patient);
     const Measured measured = measure(session, settings);
-    ReportPage page;
-    page.title = settings.title;
     for (const std::int32_t zone : measured.zones)
-        page.zones.push_back(measured.study->zone_name(zone));
-    nlohmann::json report = describe(session, settings, measured, page);
-    page.notes = notes_of(settings, measured);
-    report["notes"] = page.notes;
+        page.zones.push_back(page.words.zone(measured.study->zone_name(zone)));
+    for (const std::string& zone : settings.treated) page.treated.push_back(page.words.zone(zone));
+    nlohmann::json report = describe(session, measured, page);
+    page.notes = notes_of(page.words, settings, measured);
+    page.made_with = made_with(session, page.words, settings);
+    for (const std::string& note : page.notes) report["notes"].push_back(valid_utf8(note));
+    report["software"] = mien_build_id();
+    for (const auto& [key, path] :
+         {std::pair{"model", settings.model}, std::pair{"expression_model", settings.expressions}})
+        if (!path.empty())
+            report[key] = {{"file", valid_utf8(path)}, {"sha256", session.hash_file(path)}};
     report["study"] = measured.told;
     const std::string html = report_html(page);
     write_file(settings.out, html);
@@ -358,12 +392,20 @@ void add_report_commands(CLI::App& app) {
             "--expression-share", settings->study.untrained_share,
             "of the volume that an expression accounted for: what no training set knew of it")
         ->capture_default_str();
-    command->add_option("--title", settings->title)->capture_default_str();
+    command->add_option("--title", settings->title, "default: Volume over time");
+    command->add_option("--patient", settings->patient,
+                        "JSON {\"name\": ..., \"born\": ..., any others}; default: patient.json "
+                        "in the folder of visits");
+    command->add_option("--language", settings->language, "of the page")
+        ->check(CLI::IsMember(report_languages()))
+        ->capture_default_str();
     command->add_option("--out", settings->out, "HTML page")->required();
     add_common_options(*command, settings->common);
     command->footer(
         "Example: mien report --visits patient --model face.safetensors --zones zones.json --out "
-        "report.html");
+        "report.html\n"
+        "A visit's date is in its name (2026-03-14 before) or in visit.json: {\"date\": "
+        "\"2026-03-14\", \"label\": ..., \"scan\": ..., any others}.");
     command->callback([settings] { run_report(*settings); });
 }
 

@@ -1,8 +1,9 @@
 #include "report_fits.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
+
+#include "report_words.hpp"
 
 namespace mien::cli {
 namespace {
@@ -63,22 +64,9 @@ std::vector<double> values_of(const nlohmann::json& file, const std::string& pat
     return values;
 }
 
-std::string in_words(const Registration& fit) {
-    const mien_fit_verdict verdict = fit.verdict();
-    char text[160];
-    std::snprintf(text, sizeof text, "fit %s: %.2f mm from the scan, %.0f %% of the face seen",
-                  verdict.quality == MIEN_QUALITY_GOOD       ? "good"
-                  : verdict.quality == MIEN_QUALITY_DOUBTFUL ? "doubtful"
-                                                             : "failed",
-                  verdict.mean_residual_mm, 100 * verdict.coverage);
-    return text;
-}
-
-Fitted described(Registration fit) {
-    const std::string verdict = in_words(fit);
-    const bool good = fit.verdict().quality == MIEN_QUALITY_GOOD;
+Fitted described(Registration fit, std::string scan) {
     nlohmann::json report = nlohmann::json::parse(fit.json());
-    return {std::move(fit), verdict, good, std::move(report)};
+    return {std::move(fit), true, std::move(report), std::move(scan)};
 }
 
 std::int32_t quality_called(const std::string& name) {
@@ -94,60 +82,107 @@ std::vector<Visit> find_visits(const std::string& folder) {
         throw std::runtime_error(folder + ": is not a folder of visits");
     std::vector<Visit> visits;
     for (const fs::path& entry : sorted_entries(fs::u8path(folder))) {
-        Visit visit{entry.stem().u8string(), {}};
+        Visit visit;
+        visit.name = valid_utf8(entry.stem().u8string());
+        fs::path file = entry;
+        file.replace_extension(".visit.json");
         if (fs::is_directory(entry)) {
-            visit.name = entry.filename().u8string();
+            visit.name = valid_utf8(entry.filename().u8string());
+            file = entry / "visit.json";
             for (const fs::path& mesh : sorted_entries(entry))
                 if (is_capture(mesh) && !has_record(mesh))
                     visit.captures.push_back(capture_of(mesh, true));
         } else if (is_capture(entry) && !has_record(entry)) {
             visit.captures.push_back(capture_of(entry, false));
         }
-        if (!visit.captures.empty()) visits.push_back(visit);
+        if (visit.captures.empty()) continue;
+        if (fs::exists(file)) visit.file = read_visit(file.u8string());
+        const auto [date, rest] = date_of_name(visit.name);
+        if (visit.file.date.empty()) {
+            visit.file.date = date;
+            if (visit.file.label.empty() && !date.empty()) visit.file.label = rest;
+        }
+        visits.push_back(visit);
     }
     if (visits.size() < 2)
         throw std::runtime_error(
             folder +
             ": needs at least two visits (mesh files, records of fits, or folders with them)");
+    const Visit* before = nullptr;
+    for (const Visit& visit : visits) {
+        if (visit.file.date.empty()) continue;
+        if (before != nullptr && visit.file.date < before->file.date)
+            throw std::runtime_error(folder + ": visit '" + visit.name + "' of " + visit.file.date +
+                                     " stands after '" + before->name + "' of " +
+                                     before->file.date +
+                                     "; name the visits in the order of their dates");
+        before = &visit;
+    }
     return visits;
+}
+
+std::string patient_file(const std::string& folder) {
+    const fs::path path = fs::u8path(folder) / "patient.json";
+    return fs::exists(path) ? path.u8string() : std::string();
+}
+
+std::string Visit::shown() const {
+    if (file.date.empty()) return file.label.empty() ? name : file.label;
+    return file.label.empty() ? file.date : file.date + ", " + file.label;
+}
+
+bool Fitted::good() const {
+    return fit.verdict().quality == MIEN_QUALITY_GOOD;
+}
+
+std::vector<std::string> Fitted::reasons() const {
+    std::vector<std::string> said;
+    for (const char* key : {"reasons", "notes"})
+        if (report.is_object() && report.contains(key))
+            for (const nlohmann::json& reason : report[key])
+                said.push_back(reason.get<std::string>());
+    return said;
 }
 
 bool is_record(const std::string& path) {
     return extension_of(fs::u8path(path)) == ".safetensors";
 }
 
-Fitted fit_scan(const Session& session, const Model& model, const Capture& capture) {
-    if (is_record(capture.mesh)) return described(Registration(session, capture.mesh));
+Fitted fit_scan(const Session& session, const Model& model, const Capture& capture,
+                const VisitFile& visit) {
+    if (is_record(capture.mesh)) return described(Registration(session, capture.mesh), visit.scan);
     RegisterOptions options;
     if (!capture.landmarks.empty())
         for (const NamedPoint& p : read_landmark_points(capture.landmarks))
             options.landmarks.push_back({p.name, p.point});
     options.progress = progress_bar();
-    return described(Registration(session, model, Mesh(session, capture.mesh), options));
+    return described(Registration(session, model, Mesh(session, capture.mesh), options),
+                     capture.mesh);
 }
 
-Fitted read_fitted(const Session& session, const Capture& capture, std::optional<double> sd_mm) {
-    if (is_record(capture.mesh)) return described(Registration(session, capture.mesh));
+Fitted read_fitted(const Session& session, const Capture& capture, const VisitFile& visit,
+                   std::optional<double> sd_mm) {
+    if (is_record(capture.mesh)) return described(Registration(session, capture.mesh), visit.scan);
     const Mesh mesh(session, capture.mesh);
     const std::size_t count = mesh.vertex_count();
-    const std::string verdict = "fitted beforehand";
     const nlohmann::json file =
         capture.landmarks.empty() ? nlohmann::json() : read_json(capture.landmarks);
     if (!file.is_object() || !file.contains("weight")) {
         std::vector<double> sd;
         if (sd_mm) sd.assign(count, *sd_mm);
-        return {Registration(session, mesh, {}, {}, sd, MIEN_QUALITY_GOOD), verdict, true, {}};
+        return {Registration(session, mesh, {}, {}, sd, MIEN_QUALITY_GOOD), false, {}, visit.scan};
     }
     const auto values = [&](const char* key) {
         return values_of(file, capture.landmarks, key, count);
     };
     const bool judged = file.contains("quality") && file["quality"].is_string();
     const std::string quality = judged ? file["quality"].get<std::string>() : "good";
+    nlohmann::json said;
+    for (const char* key : {"reasons", "notes", "unit_to_mm"})
+        if (file.contains(key)) said[key] = file[key];
     return {Registration(session, mesh, values("weight"), values("residual_mm"),
                          values("standard_deviation_mm"), quality_called(quality)),
-            judged ? verdict + ", fit " + quality : verdict,
-            quality == "good",
-            {}};
+            judged, std::move(said), visit.scan};
 }
 
 }  // namespace mien::cli

@@ -12,6 +12,7 @@
 #include "fields.hpp"
 #include "plot.hpp"
 #include "spectral_commands.hpp"
+#include "topology.hpp"
 
 namespace mien::cli {
 namespace {
@@ -48,6 +49,7 @@ struct Arguments {
     std::vector<std::string> sources;
     std::vector<std::uint64_t> limits, candidates;
     std::vector<double> values;
+    bool face_tracking = false;
 };
 using Shared = std::shared_ptr<Arguments>;
 
@@ -365,10 +367,12 @@ void save_expressions(const Session& session, const Mesh& neutral, const std::ve
 void run_transfer(const Arguments& a) {
     const Session session(a.common.num_threads);
     if (!a.in.empty()) {
+        const std::vector<std::string> sources =
+            a.face_tracking ? in_tracking_order(a.sources) : a.sources;
         const Mesh source(session, a.in), target(session, a.third);
         std::vector<Mesh> faces;
         std::vector<std::string> names;
-        for (const std::string& expression : a.sources) {
+        for (const std::string& expression : sources) {
             faces.push_back(
                 transfer_expression(session, source, Mesh(session, expression), target));
             names.push_back(stem_of(expression));
@@ -438,6 +442,10 @@ void add_transfer(CLI::App& app) {
     neutral->needs(source);
     source->needs(neutral);
     sub->add_option("--data", a->data, "Dataset to learn from")->excludes(neutral);
+    sub->add_flag("--face-tracking", a->face_tracking,
+                  "The files must be called as the 52 shapes that face trackers drive "
+                  "(jawOpen.ply, ...); the targets stand in their order")
+        ->needs(source);
     sub->add_option("--model", a->model, "Blendshape model file instead of --data")
         ->excludes(neutral);
     sub->add_option("--expression", a->expression, "Name of the expression in the dataset");

@@ -7,12 +7,13 @@
 
 #include "commands.hpp"
 #include "fields.hpp"
+#include "topology.hpp"
 
 namespace mien::cli {
 namespace {
 
 struct TransferArguments {
-    std::string model, fitted, scan, what = "landmarks", out, field, picture;
+    std::string model, fitted, scan, what = "landmarks", out, field, picture, to, correspondence;
     bool to_template = false;
     double max_distance = 0;
     Common common;
@@ -221,6 +222,20 @@ void run_field(const Session& session, const TransferArguments& arguments, const
 
 void run_transfer(const TransferArguments& arguments) {
     const Session session(arguments.common.num_threads);
+    if (!arguments.to.empty() || !arguments.correspondence.empty()) {
+        if (arguments.out.empty() && (arguments.to.empty() || arguments.correspondence.empty()))
+            throw CLI::RequiredError("--out");
+        if (!arguments.out.empty() && arguments.fitted.empty())
+            throw CLI::RequiredError("--fitted");
+        write_report(arguments.common,
+                     transfer_topology(session, {arguments.model, arguments.fitted, arguments.to,
+                                                 arguments.correspondence, arguments.out}));
+        return;
+    }
+    for (const auto& [name, value] :
+         {std::pair{"--model", arguments.model}, std::pair{"--fitted", arguments.fitted},
+          std::pair{"--scan", arguments.scan}, std::pair{"--out", arguments.out}})
+        if (value.empty()) throw CLI::RequiredError(name);
     const Model model(session, arguments.model);
     const Mesh fitted(session, arguments.fitted), scan(session, arguments.scan);
     if (!arguments.field.empty()) return run_field(session, arguments, fitted, scan);
@@ -246,10 +261,9 @@ void add_transfer_commands(CLI::App& app) {
         "carry landmarks, contours, zones or fields between a fitted template and its "
         "scan");
     auto carried = std::make_shared<TransferArguments>();
-    transfer->add_option("--model", carried->model, "deformation model")->required();
-    transfer->add_option("--fitted", carried->fitted, "the template after registration")
-        ->required();
-    transfer->add_option("--scan", carried->scan, "the scan, in the same frame")->required();
+    transfer->add_option("--model", carried->model, "deformation model");
+    transfer->add_option("--fitted", carried->fitted, "the template after registration");
+    transfer->add_option("--scan", carried->scan, "the scan, in the same frame");
     auto* what = transfer
                      ->add_option("--what", carried->what,
                                   "landmarks, zones, or a JSON file with points, vertices, zones "
@@ -265,14 +279,25 @@ void add_transfer_commands(CLI::App& app) {
         ->add_option("--max-distance", carried->max_distance,
                      "mm beyond which a place is lost; 0: 10, below 0: no limit")
         ->capture_default_str();
-    transfer->add_option("--out", carried->out, "JSON file")->required();
+    transfer
+        ->add_option("--to", carried->to,
+                     "another template, fitted to this model's template: the face in its topology")
+        ->excludes(what);
+    transfer->add_option("--correspondence", carried->correspondence,
+                         "file that keeps where the other template lies on this one: written with "
+                         "--to, read without");
+    transfer->add_option("--out", carried->out, "JSON file; with --to or --correspondence a mesh");
     transfer->add_option("--picture", carried->picture, "with --field: PNG of the carried field");
     add_common_options(*transfer, carried->common);
     transfer->footer(
         "Example: mien transfer --model face.safetensors --fitted fitted.ply --scan scan.ply "
         "--what zones --out zones.json\n"
         "         mien transfer --model face.safetensors --fitted fitted.ply --scan scan.ply "
-        "--what marked.json --to-template --out vertices.json");
+        "--what marked.json --to-template --out vertices.json\n"
+        "         mien transfer --model face.safetensors --to studio_on_template.ply "
+        "--correspondence studio.json\n"
+        "         mien transfer --correspondence studio.json --fitted fitted.ply --out "
+        "fitted_studio.ply");
     transfer->callback([carried] { run_transfer(*carried); });
 }
 

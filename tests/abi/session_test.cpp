@@ -1,5 +1,6 @@
 #include <cfenv>
 #include <cstddef>
+#include <cstdio>
 #include <mien/mien.hpp>
 
 #include "handles.hpp"
@@ -100,6 +101,29 @@ TEST(Session, StatusNamesAndVersion) {
     EXPECT_STREQ(MIEN_VERSION_STRING, mien_version_string());
     EXPECT_EQ(MIEN_VERSION_MAJOR * 1000000u + MIEN_VERSION_MINOR * 1000u + MIEN_VERSION_PATCH,
               mien_version_number());
+}
+
+TEST(Session, TellsTheHashOfAFile) {
+    const mien::Session session;
+    const std::string path = temporary_path("hashed.txt");
+    std::FILE* file = std::fopen(path.c_str(), "wb");
+    ASSERT_NE(nullptr, file);
+    std::fputs("abc", file);
+    std::fclose(file);
+    // FIPS 180-4's own example.
+    const char* const known = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
+    EXPECT_EQ(known, session.hash_file(path));
+    std::uint64_t count = 0;
+    char room[65] = "";
+    EXPECT_EQ(MIEN_OK,
+              mien_session_hash_file(session.get(), path.c_str(), nullptr, 0, &count, nullptr));
+    EXPECT_EQ(65u, count);
+    EXPECT_EQ(MIEN_E_BUFFER_TOO_SMALL,
+              mien_session_hash_file(session.get(), path.c_str(), room, 64, &count, nullptr));
+    EXPECT_STREQ("", room);
+    EXPECT_EQ(MIEN_E_IO, mien_session_hash_file(session.get(), temporary_path("absent").c_str(),
+                                                room, sizeof room, nullptr, nullptr));
+    std::remove(path.c_str());
 }
 
 TEST(CppFace, ThrowsTheRecordAndSharesMeshes) {

@@ -47,5 +47,13 @@ for file in /mien/lib/libmien.so.0 /mien/bin/mien; do
 done
 there -- /job/first /job/face.safetensors /job/expressions.safetensors /job/scan_grin.ply /job/neutral.ply >"$bare/job/first.log"
 there LD_LIBRARY_PATH=/mien/lib -- /mien/bin/mien --version
+# The one command of the archive's README, as it stands there, seen from the archive's folder.
+readme=$(grep '^bin/mien report ' "$archive/README.md" | sed 's| share/| /mien/share/|g; s|^bin/|/mien/bin/|; s| report.html| /job/report.html|')
+[ -n "$readme" ] || { echo "FAILED: the README names no command" >&2; exit 1; }
+# shellcheck disable=SC2086
+there LD_LIBRARY_PATH=/mien/lib -- $readme >"$bare/job/report.log" || { echo "FAILED: $readme" >&2; exit 1; }
+grep -q 'cheek left\|left cheek' "$bare/job/report.html" || { echo "FAILED: the report does not speak of the left cheek" >&2; exit 1; }
+tail -1 "$bare/job/report.log"
+there LD_LIBRARY_PATH=/mien/lib -- /mien/bin/mien-demo-data --out /job/more --subjects 2 --test-subjects 0 >/dev/null
 cmp "$bare/job/neutral.ply" "$3/neutral.ply" || { echo "FAILED: the bare machine gives another face" >&2; exit 1; }
 echo "bare machine: $(cd "$bare" && find lib* usr -type f 2>/dev/null | tr '\n' ' ')and the archive do the main job"

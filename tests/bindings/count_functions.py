@@ -21,12 +21,12 @@ def text(*patterns, without=()):
     return "\n".join(path.read_text() for pattern in patterns for path in sorted(project.glob(pattern)) if path.name not in without)
 
 
-def python(name, source=text("examples/python/mien/classes.py")):
+def python(name, source=text("examples/python/mien/classes/*.py")):
     # An options class names its struct: the runtime calls STRUCT_init() for its defaults.
     return f'"{name}"' in source or name.endswith("_init") and f'_name = "{name[:-5]}"' in source
 
 
-def csharp(name, source=text("examples/csharp/Classes.cs", "examples/csharp/Runtime.cs")):
+def csharp(name, source=text("examples/csharp/classes/*.cs", "examples/csharp/Runtime.cs")):
     return bool(re.search(rf"\bFunctions\.{name}\b", source))
 
 

@@ -40,12 +40,12 @@ if wheel and subprocess.run(["/usr/bin/python3", "-c", "import numpy"], capture_
     said["Python"] = run("/usr/bin/python3", clean / "main_job.py", *arguments, PYTHONPATH=str(clean / "python"))
 package = next(work.glob("Mien.*.nupkg"))
 names = zipfile.ZipFile(package).namelist()
-for wanted in ("Mien.nuspec", "[Content_Types].xml", "_rels/.rels", "contentFiles/cs/any/Classes.cs", "build/Mien.props"):
+for wanted in ("Mien.nuspec", "[Content_Types].xml", "_rels/.rels", "contentFiles/cs/any/classes/Session.cs", "build/Mien.props"):
     assert wanted in names, f"{wanted} is missing in the NuGet package"
 assert any(re.fullmatch(r"runtimes/linux-\w+/native/libmien\.so\.0", n) for n in names), names
 if shutil.which("mcs") and shutil.which("mono"):
     zipfile.ZipFile(package).extractall(clean / "nuget")
-    run("mcs", "-langversion:7.2", "-unsafe", f"-out:{clean / 'nuget/main_job.exe'}", *sorted((clean / "nuget/contentFiles/cs/any").glob("*.cs")),
+    run("mcs", "-langversion:7.2", "-unsafe", f"-out:{clean / 'nuget/main_job.exe'}", *sorted((clean / "nuget/contentFiles/cs/any").rglob("*.cs")),
         project / "examples/csharp/Program.cs")
     said["C#"] = run("mono", clean / "nuget/main_job.exe", *arguments)
 jar = next(work.glob("mien-*.jar"), None)

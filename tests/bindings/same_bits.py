@@ -156,7 +156,8 @@ def main():
         skipped.append("Python: no numpy (Debian package python3-numpy)")
 
     if shutil.which("mcs") and shutil.which("mono"):
-        sources = [project / "examples/csharp" / name for name in ("Native.cs", "Classes.cs", "Runtime.cs")]
+        csharp = project / "examples/csharp"
+        sources = [csharp / "Native.cs", csharp / "Runtime.cs", *sorted((csharp / "classes").glob("*.cs"))]
         flags = ["-langversion:7.2", "-unsafe", "-warnaserror"]
         run("mcs", *flags, f"-out:{work / 'main_job.exe'}", *sources, project / "examples/csharp/Program.cs")
         run("mcs", *flags, f"-out:{work / 'visits.exe'}", *sources, project / "examples/csharp/ThreeVisits.cs")

@@ -4,6 +4,7 @@ the library initialises, or is named here as the command's own.
   defaults_test.py MIEN LIBRARY PYTHON_PACKAGE_FOLDER
 """
 import ctypes
+import functools
 import importlib.util
 import re
 import subprocess
@@ -73,22 +74,37 @@ TABLE = {
     "score train": {
         "--method": ("mien_score_options.method", {"nipals": 0, "simpls": 1}),
         "--components": "mien_score_options.num_components", "--max-components": "mien_score_options.max_components",
-        "--folds": "mien_score_options.folds", "--curvature": "mien_score_options.curvature_weight",
+        "--folds": "mien_score_options.folds", "--curvature": "mien_score_options.curvature_share",
         "--features": ("mien_score_options.features", {"basic": 0, "all": 1}),
         "--curvature-radius": "mien_score_options.curvature_radius_mm", "--range": OWN,
         "--seed": ("mien_score_options.seed", {"0": 1})},  # the command's seeds begin at 0, the library's at 1
     "report": {
         "--sd": OWN, "--margin": "mien_study_options.margin_mm", "--correlation": "mien_study_options.correlation_length_mm",
         "--bias": "mien_study_options.common_bias_mm", "--expression-share": "mien_study_options.untrained_share",
-        "--title": OWN},
+        "--language": OWN},
     "spectral basis": {
         "--modes": "mien_spectral_basis_options.mode_count",
         "--mass": ("mien_spectral_basis_options.mass", {"voronoi": 0, "barycentric": 1, "none": 2}),
         "--cotangents": ("mien_spectral_basis_options.cotangents", {"delaunay": 0, "clamp": 1, "keep": 2})},
+    "model sample": {"--count": OWN, "--strength": OWN, "--mode": OWN, "--sigma": OWN, "--format": OWN, "--seed": OWN},
+    "model fit": {"--ridge": "mien_model_fit_options.ridge_mm2", "--scalar-modes": "mien_model_fit_options.scalar_modes",
+                  "--trained-modes": "mien_model_fit_options.vector_modes"},
+    "model condition": {"--noise": OWN},
+    "mesh clean": {"--min-triangles": OWN}, "mesh scale": {"--factor": OWN}, "mesh turn": {"--rotate": OWN},
+    "mesh decimate": {"--vertices": OWN, "--share": OWN},
+    "expression sample": {"--seed": OWN, "--count": OWN, "--format": OWN},
+    "expression synthesize": {"--identity": OWN, "--expression": OWN},
+    "render": {"--min": OWN, "--max": OWN, "--size": OWN},
+    "score agreement": {"--grade-count": OWN},
+    "spectral split": {"--k": OWN}, "spectral merge": {"--k": OWN}, "spectral features": {"--kind": OWN},
+    "spectral hierarchy": {"--sampling": OWN, "--levels": OWN, "--factor": OWN, "--stride": OWN, "--radius": OWN, "--level": OWN,
+                           "--direction": OWN},
+    "spectral coefficients": {"--modes": OWN}, "spectral synthesize": {"--first": OWN},
     "transfer-expression": {"--ridge": "mien_blendshape_options.ridge", "--k": OWN, "--candidates": OWN},
 }
 
 
+@functools.lru_cache(None)
 def help_of(*command):
     return subprocess.run([MIEN, *command, "--help"], capture_output=True, text=True, check=True).stdout
 
@@ -142,6 +158,8 @@ class Defaults(unittest.TestCase):
             for option, default in printed_defaults(command).items():
                 with self.subTest(command=name, option=option):
                     place = {**EVERYWHERE, **TABLE.get(name, {})}.get(option, "unnamed")
+                    if default is None and place == "unnamed":
+                        continue  # nothing when it is not given
                     self.assertNotEqual(place, "unnamed", "which option of the library is this the default of? Say so in TABLE")
                     if place is OWN:
                         continue
@@ -156,10 +174,10 @@ class Defaults(unittest.TestCase):
 
     def test_every_named_option_is_there(self):
         for name, options in TABLE.items():
-            there = printed_defaults(tuple(name.split()))
+            there = help_of(*name.split())
             for option in options:
                 with self.subTest(command=name, option=option):
-                    self.assertIn(option, there)
+                    self.assertIn(option + " ", there)
 
 
 if __name__ == "__main__":

@@ -1,9 +1,14 @@
 """mien report on faces that are fitted already: what it says of no change, of a known change, of bad input."""
+import base64
 import json
+import os
+import re
 import shutil
+import struct
 import subprocess
 import sys
 import unittest
+import zlib
 from pathlib import Path
 
 mien, demo_data, work = sys.argv[1], sys.argv[2], Path(sys.argv[3])
@@ -11,6 +16,42 @@ mien, demo_data, work = sys.argv[1], sys.argv[2], Path(sys.argv[3])
 
 def run(*arguments):
     return subprocess.run([mien, *map(str, arguments)], capture_output=True, text=True)
+
+
+def picture(page, words):
+    """Rows of (r, g, b) of the page's first PNG whose description holds the words."""
+    return next(png_rows(base64.b64decode(data))
+                for alt, data in re.findall(r'<img alt="([^"]*)" src="data:image/png;base64,([^"]*)"', page) if words in alt)
+
+
+def png_rows(data):
+    """Rows of pixels of an 8-bit RGB PNG that is not interlaced."""
+    at, packed = 8, b""
+    while at < len(data):
+        size, kind = struct.unpack_from(">I4s", data, at)
+        body = data[at + 8:at + 8 + size]
+        if kind == b"IHDR":
+            width, height, depth, color = struct.unpack_from(">IIBB", body)
+            assert (depth, color) == (8, 2)
+        if kind == b"IDAT":
+            packed += body
+        at += 12 + size
+    raw, stride = zlib.decompress(packed), 3 * width
+    rows, above = [], bytearray(stride)
+    for y in range(height):
+        kind, line = raw[y * (stride + 1)], bytearray(raw[y * (stride + 1) + 1:(y + 1) * (stride + 1)])
+        for x in range(stride):
+            left, up, corner = (line[x - 3] if x >= 3 else 0), above[x], (above[x - 3] if x >= 3 else 0)
+            nearest = min((left, up, corner), key=lambda v: abs(v - (left + up - corner)))
+            line[x] = (line[x] + (0, left, up, (left + up) // 2, nearest)[kind]) & 255
+        rows.append([tuple(line[x:x + 3]) for x in range(0, stride, 3)])
+        above = line
+    return rows
+
+
+def colored(rows):
+    """Pixels that are neither white, grey nor the dark green of rims."""
+    return sum(max(p) - min(p) > 40 and not (p[1] > p[0] and p[1] > p[2]) for row in rows for p in row)
 
 
 class Records(unittest.TestCase):
@@ -90,6 +131,54 @@ class Records(unittest.TestCase):
         self.assertGreater(widths[1], widths[0])
 
 
+class Unseen(unittest.TestCase):
+    """A head of which the scalp was not seen: it moved by 10 mm there, and not at all where it was seen."""
+    @classmethod
+    def setUpClass(cls):
+        cls.base = work / "unseen"
+        shutil.rmtree(cls.base, ignore_errors=True)
+        cls.base.mkdir(parents=True)
+        subprocess.run([demo_data, "--out", str(cls.base / "demo"), "--subjects", "2", "--test-subjects", "1"], check=True,
+                       capture_output=True)
+        assert run("mesh", "convert", cls.base / "demo/scan/truth_neutral.ply", cls.base / "face.obj").returncode == 0
+        lines = (cls.base / "face.obj").read_text().splitlines()
+        places = [[float(x) for x in line.split()[1:4]] for line in lines if line.startswith("v ")]
+        faces = [line for line in lines if line.startswith("f ")]
+        seen = set(json.loads((cls.base / "demo/zones.json").read_text())["zones"]["face"])
+        for name, moved in (("a", 0.0), ("b", 10.0)):
+            with open(cls.base / f"{name}.obj", "w") as out:
+                for v, (x, y, z) in enumerate(places):
+                    out.write(f"v {x} {y} {z + (0 if v in seen else moved)}\n")
+                out.write("\n".join(faces) + "\n")
+
+    def page(self, weight_of_scalp):
+        visits = self.base / "visits"
+        shutil.rmtree(visits, ignore_errors=True)
+        visits.mkdir()
+        seen = set(json.loads((self.base / "demo/zones.json").read_text())["zones"]["face"])
+        count = (self.base / "a.obj").read_text().count("\nv ") + 1
+        for name in ("a", "b"):
+            shutil.copy(self.base / f"{name}.obj", visits)
+            (visits / f"{name}.json").write_text(json.dumps({
+                "quality": "good", "weight": [1.0 if v in seen else weight_of_scalp for v in range(count)],
+                "residual_mm": [0.0] * count, "standard_deviation_mm": [0.1] * count}))
+        done = run("report", "--fitted", "--visits", visits, "--zones", self.base / "demo/zones.json", "--show", "mouth",
+                   "--stable", "mouth", "--out", self.base / "page.html")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return (self.base / "page.html").read_text()
+
+    def test_what_was_not_seen_has_no_colour_and_no_part_in_the_range(self):
+        page = self.page(0.0)
+        change = picture(page, "Change against")
+        self.assertEqual(colored(change), 0)
+        self.assertIn("+0.5 mm gained", page)
+        # And were it seen, it would be there to see.
+        page = self.page(1.0)
+        change = picture(page, "Change against")
+        self.assertGreater(colored(change), 1000)
+        self.assertIn("+10 mm gained", page)
+
+
 class Report(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -103,13 +192,13 @@ class Report(unittest.TestCase):
             (cls.visits / name).mkdir(parents=True)
             shutil.copy(scan / f"truth_{face}.ply", cls.visits / name / "face.ply")
 
-    def report(self, *more):
+    def report(self, *more, visits=None):
         if "--sd" not in more:
             more = ("--sd", "0.08", *more)
-        return self.told(*more)
+        return self.told(*more, visits=visits)
 
-    def told(self, *more):
-        done = run("report", "--fitted", "--visits", self.visits, "--zones", work / "demo/zones.json", "--show", "mouth,forehead",
+    def told(self, *more, visits=None):
+        done = run("report", "--fitted", "--visits", visits or self.visits, "--zones", work / "demo/zones.json", "--show", "mouth,forehead",
                    "--json", work / "report.json", "--out", work / "report.html", *more)
         self.assertEqual(done.returncode, 0, done.stderr)
         return json.loads((work / "report.json").read_text())["visits"]
@@ -166,14 +255,115 @@ class Report(unittest.TestCase):
             for text, key in zip(row[2:], ("signed_ml", "low95_ml", "high95_ml", "limit_of_detection_ml")):
                 self.assertAlmostEqual(float(text), zone[key], delta=6e-7)
 
+    def page_of(self, *more, visits=None):
+        self.report(*more, visits=visits)
+        data = (work / "report.html").read_bytes()
+        self.assertLess(len(data), 5_000_000)
+        return data.decode("utf-8")  # strict: any other byte is an error
+
     def test_the_page_stands_alone_and_escapes_names(self):
-        self.report("--title", "A & B")
-        page = (work / "report.html").read_text()
-        self.assertLess(len(page), 5_000_000)
-        for word in ("http://", "https://", "<script", "<link", "<late>", "A & B"):
+        page = self.page_of("--title", "A & B")
+        # The policy lets the browser reach nothing; and nothing is asked for.
+        self.assertIn("default-src 'none'; img-src data:", page)
+        for word in ("http:", "https:", "//www", "<link", "<iframe", "url(", "fetch(", "XMLHttpRequest", "import(", "<late>", "A & B"):
             self.assertNotIn(word, page)
-        for word in ("A &amp; B", "&lt;late&gt;", "data:image/png;base64,", "<svg", 'name="viewport"'):
+        self.assertEqual(set(re.findall(r'\b(?:src|href)="(.{5})', page)), {"data:"})
+        for word in ("A &amp; B", "&lt;late&gt;", "data:image/png;base64,", "<svg", 'name="viewport"', "@page{size:A4", "WebGL"):
             self.assertIn(word, page)
+
+    def test_names_in_any_script_stay_whole(self):
+        title = "J\u00fcrgen M\u00fcller \u674e\u5c0f\u9f99 \u0639\u0644\u064a"
+        folder = work / "scripts"
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir()
+        for name in ("1 \u00e4\u00f6\u00fc\u00e4\u00f6\u00fc\u00e4\u00f6\u00fc\u00e4\u00f6\u00fc", "2 \u674e" * 4):
+            shutil.copy(self.visits / "2026-01/face.ply", folder / f"{name}.ply")
+        shutil.copy(self.visits / "2026-01/face.ply", os.fsencode(folder) + b"/3 caf\xe9.ply")  # no UTF-8 at all
+        done = run("report", "--fitted", "--sd", "0.08", "--visits", folder, "--zones", work / "demo/zones.json", "--show", "mouth",
+                   "--title", title, "--json", work / "report.json", "--out", work / "report.html")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        page = (work / "report.html").read_bytes().decode("utf-8")
+        self.assertIn(title, page)
+        self.assertIn("3 caf\ufffd", page)
+        self.assertEqual(json.loads((work / "report.json").read_text("utf-8"))["title"], title)
+
+    def test_a_patient_and_visits_are_told_of(self):
+        (self.visits / "patient.json").write_text(json.dumps({"name": "\u00c5sa <b>", "born": "1980-02-29", "skin type": 2}))
+        (self.visits / "2026-02/visit.json").write_text(json.dumps({"label": "after", "device": "Arc 5", "note": "a & b"}))
+        try:
+            page = self.page_of("--language", "de")
+        finally:
+            (self.visits / "patient.json").unlink()
+            (self.visits / "2026-02/visit.json").unlink()
+        for word in ("\u00c5sa &lt;b&gt;", "Geboren", "1980-02-29", "skin type", "Ger\u00e4t", "Arc 5", "a &amp; b", "<h3>after</h3>"):
+            self.assertIn(word, page)
+
+    def dated(self, *names):
+        folder = work / "dated"
+        shutil.rmtree(folder, ignore_errors=True)
+        for name in names:
+            (folder / name).mkdir(parents=True)
+            shutil.copy(self.visits / "2026-01/face.ply", folder / name)
+        return folder
+
+    def test_dates_are_at_their_distance_in_time(self):
+        folder = self.dated("2025-12-31 before", "20260110", "c")
+        (folder / "c/visit.json").write_text(json.dumps({"date": "2026-03-01", "label": "two months"}))
+        page = self.page_of(visits=folder)
+        plot = page[page.index("<svg"):page.index("</svg>")]
+        x = [float(value) for value in re.findall(r'<circle cx="([0-9.]+)"', plot)]
+        self.assertAlmostEqual((x[1] - x[0]) / (x[2] - x[0]), 10 / 60, places=2)
+        for word in ("2025-12-31, before", "2026-03-01, two months"):
+            self.assertIn(word, page)
+        self.assertNotIn("Not every visit has a date", page)
+        self.assertIn("Not every visit has a date", self.page_of())
+
+    def test_dates_that_are_none_or_run_backwards_are_errors(self):
+        for date, word in (("2026-02-30", "no day"), ("1999-01-01", "order of their dates")):
+            folder = self.dated("2026-01-01", "b")
+            (folder / "b/visit.json").write_text(json.dumps({"date": date}))
+            done = run("report", "--fitted", "--visits", folder, "--zones", work / "demo/zones.json", "--out", work / "none.html")
+            self.assertEqual(done.returncode, 1)
+            self.assertIn(word, done.stderr)
+
+    def test_every_text_is_in_every_language(self):
+        english = self.page_of("--treated", "mouth")
+        for language, words in (("de", ("Mund", "Stirn", "Nachweisgrenze", "Mund und 10 mm darum herum", "Behandelt")),
+                                ("fr", ("bouche", "front", "limite de d\u00e9tection", "bouche et 10 mm autour"))):
+            page = self.page_of("--treated", "mouth", "--language", language)
+            self.assertIn(f'<html lang="{language}"', page)
+            for word in words:
+                self.assertIn(word, page)
+            # What is left alike are numbers, names, and words that both languages have.
+            text = {piece.strip() for piece in re.findall(r">([^<>{}]+)<", page.split("<style>")[0] + page.split("</style>")[1])}
+            same = {piece for piece in text & {p.strip() for p in re.findall(r">([^<>{}]+)<", english)} if re.search("[a-z]{4}", piece)}
+            self.assertLessEqual(same, {"2026-03 &lt;late&gt;", "Scan", "scan", "Patient", "Software"} | {p for p in same if p.startswith("mien ")}, language)
+        done = run("report", "--fitted", "--visits", self.visits, "--out", work / "none.html", "--language", "xx")
+        self.assertEqual(done.returncode, 2)
+
+    def test_the_table_of_texts_is_whole(self):
+        source = (Path(__file__).resolve().parents[2] / "src/cli/report_texts.hpp").read_text("utf-8")
+        rows = re.findall(r"^    \{\"", source, re.M)
+        joined = re.sub(r'"\s+"', "", source)
+        whole = re.findall(r'\{"((?:[^"\\]|\\.)*)",\s*\{"((?:[^"\\]|\\.)*)",\s*"((?:[^"\\]|\\.)*)",\s*"((?:[^"\\]|\\.)*)"\}\}', joined)
+        self.assertEqual(len(whole), len(rows))
+        self.assertGreater(len(whole), 100)
+        for key, *texts in whole:
+            for text in texts:
+                self.assertTrue(text, key)
+                self.assertEqual(sorted(re.findall(r"\{\d\}", text)), sorted(re.findall(r"\{\d\}", texts[0])), key)
+
+    def test_treated_zones_are_drawn(self):
+        def rims(page):
+            return sum(p[1] > p[0] + 20 and p[1] > p[2] + 10 for row in picture(page, "fitted face") for p in row)
+        self.assertEqual(rims(self.page_of()), 0)
+        self.assertGreater(rims(self.page_of("--treated", "mouth")), 100)
+
+    def test_software_and_models_are_named_with_their_hashes(self):
+        page = self.page_of()
+        version = subprocess.run([mien, "--version"], capture_output=True, text=True).stdout.strip()
+        self.assertIn(version, page)
+        self.assertRegex(json.loads((work / "report.json").read_text())["visits"][0]["scan_sha256"], "^[0-9a-f]{64}$")
 
     def test_wrong_input_is_told(self):
         empty = work / "empty"

@@ -1,0 +1,26 @@
+"""GeodesicOptions. Written by abi/generate_bindings.py; how classes work stands in runtime.py."""
+from __future__ import annotations
+
+import enum  # noqa: F401
+from typing import TYPE_CHECKING, Callable, NamedTuple, Sequence  # noqa: F401
+
+import numpy  # noqa: F401
+from numpy.typing import ArrayLike, DTypeLike  # noqa: F401
+
+from ..runtime import Object as _Object  # noqa: F401
+from ..runtime import Options as _Options  # noqa: F401
+from ..runtime import Progress, Text  # noqa: F401
+from ..runtime import Record as _Record  # noqa: F401
+from ..runtime import run as _run  # noqa: F401
+
+if TYPE_CHECKING:
+    from . import *  # noqa: F401,F403
+
+
+class GeodesicOptions(_Options):
+    """mien_geodesic_options of the C interface."""
+    _name = "mien_geodesic_options"
+    #: MIEN_HEAT_..., default NEUMANN
+    heat_boundary: Heat | int
+    #: heat time in units of (mean edge)^2, 0.01 to 10000, default 4
+    heat_time_factor: float

@@ -1,0 +1,31 @@
+"""Metric. Written by abi/generate_bindings.py; how classes work stands in runtime.py."""
+from __future__ import annotations
+
+import enum  # noqa: F401
+from typing import TYPE_CHECKING, Callable, NamedTuple, Sequence  # noqa: F401
+
+import numpy  # noqa: F401
+from numpy.typing import ArrayLike, DTypeLike  # noqa: F401
+
+from ..runtime import Object as _Object  # noqa: F401
+from ..runtime import Options as _Options  # noqa: F401
+from ..runtime import Progress, Text  # noqa: F401
+from ..runtime import Record as _Record  # noqa: F401
+from ..runtime import run as _run  # noqa: F401
+
+if TYPE_CHECKING:
+    from . import *  # noqa: F401,F403
+
+
+class Metric(enum.IntEnum):
+    """Distances between two faces."""
+    #: mm: mean of |dx| + |dy| + |dz| over the vertices
+    L1 = 1
+    #: mm: mean Euclidean distance over the vertices
+    L2 = 2
+    #: mm: largest distance of a vertex from the other surface, both ways
+    HAUSDORFF = 3
+    #: rad: change of the dihedral angles, masked, weighted with area
+    DAME = 4
+    #: 0 to 1: difference of the global roughness
+    FMPD = 5

@@ -1,0 +1,25 @@
+"""RepresentationEncode. Written by abi/generate_bindings.py; how classes work stands in runtime.py."""
+from __future__ import annotations
+
+import enum  # noqa: F401
+from typing import TYPE_CHECKING, Callable, NamedTuple, Sequence  # noqa: F401
+
+import numpy  # noqa: F401
+from numpy.typing import ArrayLike, DTypeLike  # noqa: F401
+
+from ..runtime import Object as _Object  # noqa: F401
+from ..runtime import Options as _Options  # noqa: F401
+from ..runtime import Progress, Text  # noqa: F401
+from ..runtime import Record as _Record  # noqa: F401
+from ..runtime import run as _run  # noqa: F401
+
+if TYPE_CHECKING:
+    from . import *  # noqa: F401,F403
+
+
+class RepresentationEncode(NamedTuple):
+    #: may be left out; 12 float64: the rigid motion onto the mean, x -> R x + t, as R row by row, then t in mm.
+    #: mien_representation_decode() takes it back.
+    motion: numpy.ndarray
+    #: rows of channel_count values.
+    dst: numpy.ndarray

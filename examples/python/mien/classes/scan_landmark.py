@@ -1,0 +1,30 @@
+"""ScanLandmark. Written by abi/generate_bindings.py; how classes work stands in runtime.py."""
+from __future__ import annotations
+
+import enum  # noqa: F401
+from typing import TYPE_CHECKING, Callable, NamedTuple, Sequence  # noqa: F401
+
+import numpy  # noqa: F401
+from numpy.typing import ArrayLike, DTypeLike  # noqa: F401
+
+from ..runtime import Object as _Object  # noqa: F401
+from ..runtime import Options as _Options  # noqa: F401
+from ..runtime import Progress, Text  # noqa: F401
+from ..runtime import Record as _Record  # noqa: F401
+from ..runtime import run as _run  # noqa: F401
+
+if TYPE_CHECKING:
+    from . import *  # noqa: F401,F403
+
+
+class ScanLandmark(_Record):
+    """A named place on a scan, read in place and only during the call."""
+    _name = "mien_scan_landmark"
+    #: matched with the names stored in the model
+    name: Text
+    #: in the scan's frame and unit
+    position: Sequence[float]
+
+    def __init__(self, name: Text, position: Sequence[float]) -> None:
+        self.name = name
+        self.position = position

@@ -1,0 +1,31 @@
+"""Stage. Written by abi/generate_bindings.py; how classes work stands in runtime.py."""
+from __future__ import annotations
+
+import enum  # noqa: F401
+from typing import TYPE_CHECKING, Callable, NamedTuple, Sequence  # noqa: F401
+
+import numpy  # noqa: F401
+from numpy.typing import ArrayLike, DTypeLike  # noqa: F401
+
+from ..runtime import Object as _Object  # noqa: F401
+from ..runtime import Options as _Options  # noqa: F401
+from ..runtime import Progress, Text  # noqa: F401
+from ..runtime import Record as _Record  # noqa: F401
+from ..runtime import run as _run  # noqa: F401
+
+if TYPE_CHECKING:
+    from . import *  # noqa: F401,F403
+
+
+class Stage(enum.IntEnum):
+    """Stages of long work, as a progress callback sees them."""
+    READING = 1
+    GEODESICS = 2
+    BASIS = 3
+    ALIGNMENT = 4
+    FITTING = 5
+    REFINING = 6
+    TRAINING = 7
+    NEUTRALIZING = 8
+    MEASURING = 9
+    WRITING = 10

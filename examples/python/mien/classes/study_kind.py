@@ -1,0 +1,30 @@
+"""StudyKind. Written by abi/generate_bindings.py; how classes work stands in runtime.py."""
+from __future__ import annotations
+
+import enum  # noqa: F401
+from typing import TYPE_CHECKING, Callable, NamedTuple, Sequence  # noqa: F401
+
+import numpy  # noqa: F401
+from numpy.typing import ArrayLike, DTypeLike  # noqa: F401
+
+from ..runtime import Object as _Object  # noqa: F401
+from ..runtime import Options as _Options  # noqa: F401
+from ..runtime import Progress, Text  # noqa: F401
+from ..runtime import Record as _Record  # noqa: F401
+from ..runtime import run as _run  # noqa: F401
+
+if TYPE_CHECKING:
+    from . import *  # noqa: F401,F403
+
+
+class StudyKind(enum.IntEnum):
+    """Why a change has no deviation."""
+    KNOWN = 0
+    #: too little of the zone was seen: no values either
+    UNSEEN = 1
+    #: the fit of one of the visits failed
+    FAILED_FIT = 2
+    #: a face came without deviations
+    NO_SURFACE_ERRORS = 3
+    #: the zone lies behind the expression model's rim
+    OUTSIDE_EXPRESSIONS = 4
