@@ -58,7 +58,7 @@ void add_commands(CLI::App& app) {
 }
 
 /// One command line; `mien replay` runs another one inside.
-int run(int argc, char** argv) {
+int run_command_line(int argc, char** argv) {
     CLI::App app{"Registers 3D face scans, removes facial expressions, measures what changed."};
     app.set_version_flag("--version", mien_build_id());
     app.require_subcommand(1);
@@ -69,7 +69,7 @@ int run(int argc, char** argv) {
                 std::vector<std::string> words = arguments;
                 std::vector<char*> pointers{program};
                 for (std::string& word : words) pointers.push_back(&word[0]);
-                return run(static_cast<int>(pointers.size()), pointers.data());
+                return run_command_line(static_cast<int>(pointers.size()), pointers.data());
             });
         group_by_job(app);
         const mien::cli::RunRecord record({argv + 1, argv + argc});
@@ -89,5 +89,5 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    return run(argc, argv);
+    return run_command_line(argc, argv);
 }

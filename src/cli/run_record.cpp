@@ -16,7 +16,7 @@ namespace mien::cli {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr int kFormat = 1;
+constexpr int kRunFormat = 1;
 constexpr const char* kOption = "--run-record";
 
 /// The paths that an argument may name: itself, what stands behind its "=", the parts of a list.
@@ -125,7 +125,7 @@ class Replay {
   public:
     Replay(std::string path, const nlohmann::json& record)
         : path_(std::move(path)), record_(record) {
-        if (!record.is_object() || record.value("mien_run", 0) != kFormat)
+        if (!record.is_object() || record.value("mien_run", 0) != kRunFormat)
             throw std::runtime_error(path_ + ": is no record of a run (" + kOption +
                                      " of any command writes one)");
         for (const nlohmann::json& output : record["outputs"])
@@ -285,7 +285,7 @@ RunRecord::RunRecord(std::vector<std::string> arguments) {
 void RunRecord::finish(const CLI::App& app) const {
     if (path_.empty()) return;
     const Session session;
-    nlohmann::json record{{"mien_run", kFormat},
+    nlohmann::json record{{"mien_run", kRunFormat},
                           {"arguments", arguments_},
                           {"software", mien_build_id()},
                           {"version", mien_version_string()},

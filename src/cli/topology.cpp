@@ -8,7 +8,7 @@
 namespace mien::cli {
 namespace {
 
-constexpr int kFormat = 1;
+constexpr int kCorrespondenceFormat = 1;
 // Farther from this template than that a vertex of the other stands for something that this one
 // has not (hair, teeth): it is carried along, and counted.
 constexpr double kBesideMm = 10;
@@ -83,14 +83,17 @@ Correspondence find_correspondence(const Session& session, const Mesh& from, con
 }
 
 nlohmann::json as_json(const Correspondence& c) {
-    return {{"mien_correspondence", kFormat}, {"from_vertices", c.from_vertices},
-            {"corners", c.corners},           {"barycentric", c.barycentric},
-            {"offset_mm", c.offset},          {"triangles", c.triangles}};
+    return {{"mien_correspondence", kCorrespondenceFormat},
+            {"from_vertices", c.from_vertices},
+            {"corners", c.corners},
+            {"barycentric", c.barycentric},
+            {"offset_mm", c.offset},
+            {"triangles", c.triangles}};
 }
 
 Correspondence read_correspondence(const std::string& path) {
     const nlohmann::json file = read_json(path);
-    if (!file.is_object() || file.value("mien_correspondence", 0) != kFormat)
+    if (!file.is_object() || file.value("mien_correspondence", 0) != kCorrespondenceFormat)
         throw std::runtime_error(path +
                                  ": is no correspondence of templates (mien transfer --to writes "
                                  "one)");
