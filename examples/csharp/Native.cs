@@ -483,6 +483,7 @@ namespace Mien.Native
         public uint structSize;
         public uint reserved;
         public IntPtr cancel;
+        public long bandLimit;
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -1116,6 +1117,12 @@ namespace Mien.Native
         internal static extern int mien_network_decode(IntPtr session, IntPtr network, IntPtr code, ulong codeCount, IntPtr motion, IntPtr options, IntPtr @out, IntPtr error);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern int mien_network_apply(IntPtr session, IntPtr network, IntPtr face, IntPtr options, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_network_get_bands(IntPtr network, IntPtr lowCodeCount, IntPtr bandLimit, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_network_mix(IntPtr session, IntPtr network, IntPtr a, IntPtr b, double lowWeight, double highWeight, IntPtr options, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_network_sample(IntPtr network, ulong seed, ulong number, double spread, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern int mien_network_evaluate(IntPtr session, IntPtr network, IntPtr datasetPath, IntPtr options, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
@@ -1888,6 +1895,15 @@ namespace Mien.Native
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         internal delegate int mien_network_apply_function(IntPtr session, IntPtr network, IntPtr face, IntPtr options, IntPtr @out, IntPtr error);
         internal static readonly mien_network_apply_function mien_network_apply = Library.Function<mien_network_apply_function>("mien_network_apply");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_network_get_bands_function(IntPtr network, IntPtr lowCodeCount, IntPtr bandLimit, IntPtr error);
+        internal static readonly mien_network_get_bands_function mien_network_get_bands = Library.Function<mien_network_get_bands_function>("mien_network_get_bands");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_network_mix_function(IntPtr session, IntPtr network, IntPtr a, IntPtr b, double lowWeight, double highWeight, IntPtr options, IntPtr @out, IntPtr error);
+        internal static readonly mien_network_mix_function mien_network_mix = Library.Function<mien_network_mix_function>("mien_network_mix");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_network_sample_function(IntPtr network, ulong seed, ulong number, double spread, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_network_sample_function mien_network_sample = Library.Function<mien_network_sample_function>("mien_network_sample");
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         internal delegate int mien_network_evaluate_function(IntPtr session, IntPtr network, IntPtr datasetPath, IntPtr options, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
         internal static readonly mien_network_evaluate_function mien_network_evaluate = Library.Function<mien_network_evaluate_function>("mien_network_evaluate");

@@ -346,10 +346,11 @@ STATIC_CHECK(offsetof(mien_model_fit_options, ridge_mm2) == 8, place_of_mien_mod
 STATIC_CHECK(offsetof(mien_model_fit_options, weights) == 16, place_of_mien_model_fit_options_weights);
 STATIC_CHECK(offsetof(mien_model_fit_options, scalar_modes) == 48, place_of_mien_model_fit_options_scalar_modes);
 STATIC_CHECK(offsetof(mien_model_fit_options, vector_modes) == 52, place_of_mien_model_fit_options_vector_modes);
-STATIC_CHECK(sizeof(mien_network_options) == 16, size_of_mien_network_options);
+STATIC_CHECK(sizeof(mien_network_options) == 24, size_of_mien_network_options);
 STATIC_CHECK(offsetof(mien_network_options, struct_size) == 0, place_of_mien_network_options_struct_size);
 STATIC_CHECK(offsetof(mien_network_options, reserved) == 4, place_of_mien_network_options_reserved);
 STATIC_CHECK(offsetof(mien_network_options, cancel) == 8, place_of_mien_network_options_cancel);
+STATIC_CHECK(offsetof(mien_network_options, band_limit) == 16, place_of_mien_network_options_band_limit);
 STATIC_CHECK(sizeof(mien_network_evaluation_options) == 56, size_of_mien_network_evaluation_options);
 STATIC_CHECK(offsetof(mien_network_evaluation_options, struct_size) == 0, place_of_mien_network_evaluation_options_struct_size);
 STATIC_CHECK(offsetof(mien_network_evaluation_options, neutral_only) == 4, place_of_mien_network_evaluation_options_neutral_only);
@@ -1806,6 +1807,24 @@ JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1network_1apply(JNIEnv *env, jobjec
     (void)env;
     (void)self;
     return (jint)mien_network_apply((mien_session*)(intptr_t)session, (const mien_network*)(intptr_t)network, (const mien_mesh*)(intptr_t)face, (const mien_network_options*)(intptr_t)options, (mien_mesh**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1network_1get_1bands(JNIEnv *env, jobject self, jlong network, jlong low_code_count, jlong band_limit, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_network_get_bands((const mien_network*)(intptr_t)network, (uint64_t*)(intptr_t)low_code_count, (int64_t*)(intptr_t)band_limit, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1network_1mix(JNIEnv *env, jobject self, jlong session, jlong network, jlong a, jlong b, jdouble low_weight, jdouble high_weight, jlong options, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_network_mix((mien_session*)(intptr_t)session, (const mien_network*)(intptr_t)network, (const mien_mesh*)(intptr_t)a, (const mien_mesh*)(intptr_t)b, (double)low_weight, (double)high_weight, (const mien_network_options*)(intptr_t)options, (mien_mesh**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1network_1sample(JNIEnv *env, jobject self, jlong network, jlong seed, jlong number, jdouble spread, jlong dst, jlong capacity, jlong count, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_network_sample((const mien_network*)(intptr_t)network, (uint64_t)seed, (uint64_t)number, (double)spread, (double*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
 }
 
 JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1network_1evaluate(JNIEnv *env, jobject self, jlong session, jlong network, jlong dataset_path, jlong options, jlong dst, jlong capacity, jlong count, jlong error) {

@@ -11,7 +11,9 @@ extern "C" {
 #endif
 
 /** A trained network with everything that belongs to it: layers, weights, neighbour lists and
- * statistics of one template. Immutable: share freely. */
+ * statistics of one template. It may be one network, or two over the low and the high frequencies
+ * of a face, joined by spectral assembly; the code of the latter holds first the low band's
+ * numbers, then the high band's. Immutable: share freely. */
 typedef struct mien_network mien_network;
 
 /** How to run; initialise with mien_network_options_init(). */
@@ -19,6 +21,9 @@ typedef struct mien_network_options {
     uint32_t struct_size;
     uint32_t reserved;   /**< zero */
     mien_cancel* cancel; /**< may be null; looked at between layers */
+    int64_t band_limit;  /**< mien_network_apply() of a network that adds an expression in two
+                            bands: modes of the low one; default 0: the file's own; negative: none,
+                            deformations alone; more than the file's basis has: coordinates alone */
 } mien_network_options;
 
 /** What to evaluate; initialise with mien_network_evaluation_options_init(). */
@@ -205,8 +210,9 @@ MIEN_API mien_status MIEN_CALL mien_network_encode(mien_session* session,
  * @param out        [out] not null; the face, mm, or null on failure.
  * @param error      [out] may be null.
  * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (not finite, motion not rigid),
- * MIEN_E_UNSUPPORTED_OPTION (no decoder), MIEN_E_MISMATCH (code_count), MIEN_E_NO_SOLUTION (a
- * result that is not finite), MIEN_E_NO_MEMORY, MIEN_E_CANCELLED
+ * MIEN_E_UNSUPPORTED_OPTION (no decoder; a network that adds an expression), MIEN_E_MISMATCH
+ * (code_count), MIEN_E_NO_SOLUTION (a result that is not finite), MIEN_E_NO_MEMORY,
+ * MIEN_E_CANCELLED
  * @owner  the caller releases *out with mien_mesh_release()
  * @thread externally synchronized by session
  * @cancel yes
@@ -222,8 +228,9 @@ MIEN_API mien_status MIEN_CALL mien_network_decode(mien_session* session,
 
 /**
  * The decoded face of a face's code, in the frame of that face: an autoencoder's reconstruction, or
- * what the network was trained to make of a face (a neutral one into an expression). Networks on
- * deformations, which know no place, have their result put onto the face rigidly.
+ * what the network was trained to make of a face (a neutral one into an expression, with what is
+ * the person's own kept). Networks on deformations, which know no place, have their result put onto
+ * the face rigidly; one that deforms a neutral face alone keeps that one's centre.
  *
  * @param session [in] not null.
  * @param network [in] not null; with encoder and decoder.
@@ -248,6 +255,84 @@ MIEN_API mien_status MIEN_CALL mien_network_apply(mien_session* session,
                                                   mien_mesh** out, mien_error* error);
 
 /**
+ * Which numbers of a code belong to which band. Editing some of them changes that band of the
+ * decoded face (and the other one as far as its decoder was conditioned).
+ *
+ * @param network        [in] not null.
+ * @param low_code_count [out] may be null; numbers of the low band's code, which come first; all
+ * numbers of a network without bands.
+ * @param band_limit     [out] may be null; modes of the low band; -1 for a network without bands.
+ * @param error          [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE
+ * @owner  nothing
+ * @thread thread-safe
+ * @cancel no
+ * @cost   O(1)
+ * @since  0.2
+ * @source kosk-2024 4.11
+ */
+MIEN_API mien_status MIEN_CALL mien_network_get_bands(const mien_network* network,
+                                                      uint64_t* low_code_count, int64_t* band_limit,
+                                                      mien_error* error);
+
+/**
+ * A face between two, or with the bands of both: each band's code goes from a's to b's by its own
+ * weight and is decoded. Weights 0 and 0 give a as the network gives it back, 1 and 0 or 0 and 1
+ * exchange a band, equal ones interpolate. A network without bands takes the first weight.
+ *
+ * @param session     [in] not null.
+ * @param network     [in] not null; with encoder and decoder.
+ * @param a           [in] not null; #V vertices in the network's topology, mm, anywhere.
+ * @param b           [in] not null; #V vertices in the network's topology, mm, anywhere.
+ * @param low_weight  [in] of the low band; any finite number.
+ * @param high_weight [in] of the high band; any finite number.
+ * @param options     [in] may be null: defaults.
+ * @param out         [out] not null; the face in the frame of a, mm, or null on failure.
+ * @param error       [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (a weight that is not finite),
+ * MIEN_E_UNSUPPORTED_OPTION (a half is missing; a network that adds an expression), MIEN_E_MISMATCH
+ * (vertex count), MIEN_E_INVALID_MESH (not finite), MIEN_E_NO_SOLUTION, MIEN_E_NO_MEMORY,
+ * MIEN_E_CANCELLED
+ * @owner  the caller releases *out with mien_mesh_release()
+ * @thread externally synchronized by session
+ * @cancel yes
+ * @cost   twice mien_network_encode() and once mien_network_decode()
+ * @since  0.2
+ * @source kosk-2024 4.16, 4.19
+ */
+MIEN_API mien_status MIEN_CALL mien_network_mix(mien_session* session, const mien_network* network,
+                                                const mien_mesh* a, const mien_mesh* b,
+                                                double low_weight, double high_weight,
+                                                const mien_network_options* options,
+                                                mien_mesh** out, mien_error* error);
+
+/**
+ * The code of a made-up face: drawn from a Gaussian over the codes of the training faces, which the
+ * file holds. Number and seed alone decide. With dst null and capacity 0: writes the count only.
+ *
+ * @param network  [in] not null; with a distribution of codes.
+ * @param seed     [in] of the chance.
+ * @param number   [in] of the code within the seed's series.
+ * @param spread   [in] 0 the mean code, 1 as far apart as the training faces; not negative.
+ * @param dst      [out] room for capacity values, or null.
+ * @param capacity [in] values that dst holds.
+ * @param count    [out] may be null; numbers of the code.
+ * @param error    [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (spread), MIEN_E_UNSUPPORTED_OPTION (no
+ * distribution in the file), MIEN_E_BUFFER_TOO_SMALL (dst untouched, count written),
+ * MIEN_E_NO_MEMORY
+ * @owner  nothing
+ * @thread thread-safe
+ * @cancel no
+ * @cost   O(code squared)
+ * @since  0.2
+ */
+MIEN_API mien_status MIEN_CALL mien_network_sample(const mien_network* network, uint64_t seed,
+                                                   uint64_t number, double spread, double* dst,
+                                                   uint64_t capacity, uint64_t* count,
+                                                   mien_error* error);
+
+/**
  * How well the network gives back the faces of a dataset, as JSON: l1_mm, l2_mm, dame and fmpd as
  * means over the faces and by face. Judge a network on people that it was not trained on.
  *
@@ -260,9 +345,10 @@ MIEN_API mien_status MIEN_CALL mien_network_apply(mien_session* session,
  * @param count        [out] may be null; bytes with the terminating zero.
  * @param error        [out] may be null.
  * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (a half is
- * missing, a switch), MIEN_E_MISMATCH (vertex count), MIEN_E_NOT_FOUND (no such face), MIEN_E_IO,
- * MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_NO_SOLUTION, MIEN_E_BUFFER_TOO_SMALL (dst untouched,
- * count written), MIEN_E_NO_MEMORY, MIEN_E_CANCELLED
+ * missing, a switch, a network that adds an expression), MIEN_E_MISMATCH (vertex count),
+ * MIEN_E_NOT_FOUND (no such face), MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT,
+ * MIEN_E_NO_SOLUTION, MIEN_E_BUFFER_TOO_SMALL (dst untouched, count written), MIEN_E_NO_MEMORY,
+ * MIEN_E_CANCELLED
  * @owner  nothing
  * @thread externally synchronized by session
  * @cancel yes

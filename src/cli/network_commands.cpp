@@ -1,4 +1,4 @@
-// mien network info|encode|decode|apply|compare: trained networks on fitted faces.
+// mien network info|encode|decode|apply|mix|sample|compare: trained networks on fitted faces.
 #include <algorithm>
 #include <cstdio>
 
@@ -13,7 +13,23 @@ struct NetworkCommand {
     std::string network, in, out, code, data, subjects, picture;
     std::vector<std::string> networks;
     bool neutral = false, distances_only = false;
+    std::string other;                   // of mix: the second face
+    std::vector<double> weights{1, 1};   // of mix: of the bands
+    std::uint64_t seed = 1, number = 0;  // of sample
+    double spread = 1;
+    std::int64_t k = 0;  // of apply: mien_network_options.band_limit
+    bool deformations_only = false;
 };
+
+void print_network_layers(const nlohmann::json& network, const std::string& prefix) {
+    for (const char* part : {"encoder", "decoder"})
+        for (const nlohmann::json& layer : network[part])
+            std::printf("  %-13s %-9s %8llu x %-4llu%s\n", (prefix + part).c_str(),
+                        layer["kind"].get<std::string>().c_str(),
+                        layer["rows"].get<unsigned long long>(),
+                        layer["channels"].get<unsigned long long>(),
+                        layer["elu"].get<bool>() ? "  ELU" : "");
+}
 
 void run_network_info(const NetworkCommand& settings) {
     const Session session(settings.common.num_threads);
@@ -29,13 +45,17 @@ void run_network_info(const NetworkCommand& settings) {
                 1e-6 * report["weights"].get<double>(),
                 1e-6 * report["encoder_multiply_adds"].get<double>(),
                 1e-6 * report["decoder_multiply_adds"].get<double>());
-    for (const char* part : {"encoder", "decoder"})
-        for (const nlohmann::json& layer : report[part])
-            std::printf("  %-8s %-9s %8llu x %-4llu%s\n", part,
-                        layer["kind"].get<std::string>().c_str(),
-                        layer["rows"].get<unsigned long long>(),
-                        layer["channels"].get<unsigned long long>(),
-                        layer["elu"].get<bool>() ? "  ELU" : "");
+    if (report["task"] == "displacement") std::printf("adds an expression to a neutral face\n");
+    if (!report.contains("bands")) {
+        print_network_layers(report, "");
+    } else {
+        std::printf("two bands at %llu of %llu modes; decoders conditioned by %g\n",
+                    report["band_limit"].get<unsigned long long>(),
+                    report["modes"].get<unsigned long long>(),
+                    report["conditioning"].get<double>());
+        print_network_layers(report["bands"][0], "low ");
+        print_network_layers(report["bands"][1], "high ");
+    }
     write_report(settings.common, report);
 }
 
@@ -86,13 +106,45 @@ void run_apply(const NetworkCommand& settings) {
     const Session session(settings.common.num_threads);
     const Network network = Network::load(session, settings.network);
     const Mesh face(session, settings.in);
-    const Mesh result = network.apply(session, face);
+    const Mesh result =
+        network.apply(session, face, nullptr, settings.deformations_only ? -1 : settings.k);
     result.save(session, settings.out);
     const double l1 = metric(session, MIEN_METRIC_L1, face, result);
     const double l2 = metric(session, MIEN_METRIC_L2, face, result);
     std::printf("from the face: L1 %.3f mm, L2 %.3f mm\n", l1, l2);
     write_report(settings.common,
                  {{"in", settings.in}, {"out", settings.out}, {"l1_mm", l1}, {"l2_mm", l2}});
+}
+
+void run_network_mix(const NetworkCommand& settings) {
+    const Session session(settings.common.num_threads);
+    const Network network = Network::load(session, settings.network);
+    if (settings.weights.size() > 2 || settings.weights.empty())
+        throw CLI::ValidationError("--weights", "give one number, or one for each band: low, high");
+    if (settings.weights.size() == 2 && network.band_limit() < 0)
+        throw CLI::ValidationError("--weights", "this network has no bands; give one number");
+    network
+        .mix(session, Mesh(session, settings.in), Mesh(session, settings.other),
+             settings.weights.front(), settings.weights.back())
+        .save(session, settings.out);
+    write_report(settings.common, {{"in", settings.in},
+                                   {"with", settings.other},
+                                   {"weights", settings.weights},
+                                   {"out", settings.out}});
+}
+
+void run_network_sample(const NetworkCommand& settings) {
+    const Session session(settings.common.num_threads);
+    const Network network = Network::load(session, settings.network);
+    const std::vector<double> code =
+        network.sample(settings.seed, settings.number, settings.spread);
+    network.decode(session, code).save(session, settings.out);
+    if (!settings.code.empty()) write_json(settings.code, {{"code", code}});
+    write_report(settings.common, {{"seed", settings.seed},
+                                   {"number", settings.number},
+                                   {"spread", settings.spread},
+                                   {"code", code},
+                                   {"out", settings.out}});
 }
 
 std::vector<std::int32_t> read_subjects(const std::string& path) {
@@ -207,6 +259,39 @@ CLI::App* add_use(CLI::App* network, const NetworkSettings& settings, const char
     return command;
 }
 
+void add_network_mix(CLI::App* network, const NetworkSettings& settings) {
+    CLI::App* mix = add_use(network, settings, "mix",
+                            "a face between two, or with the low frequencies of one and the high "
+                            "ones of the other");
+    mix->add_option("--in", settings->in, "first face, weight 0; the result stands where it does")
+        ->required();
+    mix->add_option("--with", settings->other, "second face, weight 1")->required();
+    mix->add_option("--weights", settings->weights,
+                    "how far towards the second face: one number, or one each for the low and the "
+                    "high band")
+        ->required();
+    mix->add_option("--out", settings->out, "mesh")->required();
+    mix->footer(
+        "Example: mien network mix --network bands.safetensors --in a.ply --with b.ply --weights 0 "
+        "1 --out a_with_details_of_b.ply");
+    mix->callback([settings] { run_network_mix(*settings); });
+}
+
+void add_network_sample(CLI::App* network, const NetworkSettings& settings) {
+    CLI::App* sample =
+        add_use(network, settings, "sample", "a made-up face, as the training faces' codes vary");
+    sample->add_option("--seed", settings->seed, "of the chance")->capture_default_str();
+    sample->add_option("--number", settings->number, "which face of the seed's series")
+        ->capture_default_str();
+    sample->add_option("--spread", settings->spread, "0 the mean code, 1 as the training faces")
+        ->capture_default_str();
+    sample->add_option("--out", settings->out, "mesh")->required();
+    sample->add_option("--code", settings->code, "JSON file for the code, to edit and decode");
+    sample->footer(
+        "Example: mien network sample --network bands.safetensors --seed 7 --out made_up.ply");
+    sample->callback([settings] { run_network_sample(*settings); });
+}
+
 void add_compare(CLI::App* network, const NetworkSettings& settings) {
     CLI::App* compare =
         network->add_subcommand("compare", "how well networks give back faces of a dataset");
@@ -264,7 +349,17 @@ void add_network_commands(CLI::App& app) {
     apply->footer(
         "Example: mien network apply --network spiralnet.safetensors --in fitted.ply --out "
         "back.ply");
+    auto* modes = apply->add_option("--k", settings->k,
+                                    "of a network that adds an expression in two bands: modes of "
+                                    "the low one; default: the file's own");
+    modes->check(CLI::PositiveNumber);
+    apply
+        ->add_flag("--deformations-only", settings->deformations_only,
+                   "of such a network: no low band, the deformations' face alone")
+        ->excludes(modes);
     apply->callback([settings] { run_apply(*settings); });
+    add_network_mix(network, settings);
+    add_network_sample(network, settings);
     add_compare(network, settings);
 }
 

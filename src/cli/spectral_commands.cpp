@@ -46,7 +46,7 @@ struct Arguments {
     std::uint64_t k = 500;
     double factor = 4.0, ridge = 0.0;
     std::string mass = "voronoi", cotangents = "delaunay", kind = "dr-norm", sampling = "quadric";
-    std::vector<std::string> sources;
+    std::vector<std::string> sources, networks;
     std::vector<std::uint64_t> limits, candidates;
     std::vector<double> values;
     bool face_tracking = false;
@@ -154,22 +154,40 @@ void add_bands(CLI::App& group) {
                     "One gain a band; the last band is all beyond the last limit")
         ->required();
     sub->add_option("--out", c->out, "Mesh to write")->required();
+}
 
+/// Also by a network of two bands: codes are moved instead of displacements.
+void mix_by_network(const Arguments& d, const Session& session) {
+    if (d.values.size() != 2)
+        throw CLI::ValidationError("--weights", "with --network: of the low and the high band");
+    Network::load(session, d.model)
+        .mix(session, Mesh(session, d.in), Mesh(session, d.other), d.values[0], d.values[1])
+        .save(session, d.out);
+}
+
+void add_band_mix(CLI::App& group) {
     auto d = std::make_shared<Arguments>();
-    sub = command(
+    auto* sub = command(
         group, "mix", "Moves each band of a face towards another's by its own weight",
         "mien spectral mix --basis basis.safetensors --in a.ply --with b.ply --limits 100 "
         "--weights 0 1 --out mixed.ply",
         d, [d] {
             const Session session(d->common.num_threads);
+            if (!d->model.empty()) return mix_by_network(*d, session);
+            if (d->basis.empty()) throw CLI::RequiredError("--basis");
+            if (d->limits.empty()) throw CLI::RequiredError("--limits");
             SpectralBasis::load(session, d->basis)
                 .mix(session, Mesh(session, d->in), Mesh(session, d->other), d->limits, d->values)
                 .save(session, d->out);
         });
-    sub->add_option("--basis", d->basis, "Basis file")->required();
+    auto* basis = sub->add_option("--basis", d->basis, "Basis file");
+    auto* trained = sub->add_option("--network", d->model,
+                                    "network file with two bands instead: codes are moved")
+                        ->excludes(basis);
     sub->add_option("--in", d->in, "First face, weight 0")->required();
     sub->add_option("--with", d->other, "Second face, weight 1")->required();
-    sub->add_option("--limits", d->limits, "Ascending mode numbers between the bands")->required();
+    sub->add_option("--limits", d->limits, "Ascending mode numbers between the bands")
+        ->excludes(trained);
     sub->add_option("--weights", d->values, "One weight a band")->required();
     sub->add_option("--out", d->out, "Mesh to write")->required();
 }
@@ -364,6 +382,38 @@ void save_expressions(const Session& session, const Mesh& neutral, const std::ve
                  std::uint64_t{targets.size()}, out.c_str());
 }
 
+/// The expression that a network was trained on, as mien-train wrote it down, or its name.
+std::string expression_of(const Network& network) {
+    const nlohmann::json report = nlohmann::json::parse(network.json());
+    if (report["task"] != "displacement")
+        throw CLI::ValidationError("--network",
+                                   "'" + report["name"].get<std::string>() +
+                                       "' gives faces back; one that adds an expression is needed");
+    const auto* training = report.contains("training") ? &report["training"] : nullptr;
+    if (training != nullptr && training->is_object() && training->contains("data") &&
+        (*training)["data"].is_object() && (*training)["data"].contains("expression") &&
+        (*training)["data"]["expression"].is_string())
+        return (*training)["data"]["expression"];
+    return report["name"];
+}
+
+/// One network an expression, onto one neutral face.
+void transfer_by_networks(const Arguments& a, const Session& session, bool own_limit) {
+    if (a.third.empty()) throw CLI::RequiredError("--target");
+    const Mesh target(session, a.third);
+    std::vector<Mesh> faces;
+    std::vector<std::string> names;
+    for (const std::string& path : a.networks) {
+        const Network network = Network::load(session, path);
+        names.push_back(expression_of(network));
+        // --k 0 are deformations alone, which the options say by a negative number.
+        const std::int64_t limit = own_limit ? 0 : a.k == 0 ? -1 : static_cast<std::int64_t>(a.k);
+        faces.push_back(network.apply(session, target, nullptr, limit));
+    }
+    save_expressions(session, target, faces, names, a.out);
+    write_report(a.common, {{"expressions", names}, {"out", a.out}});
+}
+
 void run_transfer(const Arguments& a) {
     const Session session(a.common.num_threads);
     if (!a.in.empty()) {
@@ -432,8 +482,13 @@ void add_transfer(CLI::App& app) {
         "transfer), or learned from a dataset (blendshape regression in two bands)",
         "mien transfer-expression --source-neutral a.ply --source-expression a_smile.ply "
         "--target b.ply --out b_smile.ply\n  mien transfer-expression --data faces.safetensors "
-        "--expression smile --basis basis.safetensors --k 300 --target b.ply --out b_smile.ply",
-        a, [a] { run_transfer(*a); });
+        "--expression smile --basis basis.safetensors --k 300 --target b.ply --out b_smile.ply\n  "
+        "mien transfer-expression --network grin.safetensors pucker.safetensors --target b.ply "
+        "--out b.glb",
+        a, [] {});
+    auto* networks = sub->add_option("--network", a->networks,
+                                     "network files of mien-train, one an expression, instead of "
+                                     "--data; several go into one GLB file");
     auto* neutral = sub->add_option("--source-neutral", a->in, "Neutral face of the source");
     auto* source =
         sub->add_option("--source-expression", a->sources,
@@ -441,20 +496,30 @@ void add_transfer(CLI::App& app) {
                         "target each, named as their files");
     neutral->needs(source);
     source->needs(neutral);
-    sub->add_option("--data", a->data, "Dataset to learn from")->excludes(neutral);
     sub->add_flag("--face-tracking", a->face_tracking,
                   "The files must be called as the 52 shapes that face trackers drive "
                   "(jawOpen.ply, ...); the targets stand in their order")
         ->needs(source);
+    networks->excludes(neutral);
+    sub->add_option("--data", a->data, "Dataset to learn from")
+        ->excludes(neutral)
+        ->excludes(networks);
     sub->add_option("--model", a->model, "Blendshape model file instead of --data")
-        ->excludes(neutral);
+        ->excludes(neutral)
+        ->excludes(networks);
     sub->add_option("--expression", a->expression, "Name of the expression in the dataset");
     sub->add_option("--ridge", a->ridge,
                     "Ridge of the regression; 0 chooses by leave-one-out error")
         ->capture_default_str();
     sub->add_option("--basis", a->basis,
                     "Basis file; without it one band: k = 0 deformations, else coordinates");
-    sub->add_option("--k", a->k, "Modes of the low band")->capture_default_str();
+    auto* k = sub->add_option("--k", a->k,
+                              "Modes of the low band; with --network default: each file's own")
+                  ->capture_default_str();
+    sub->callback([a, k] {
+        if (a->networks.empty()) return run_transfer(*a);
+        transfer_by_networks(*a, Session(a->common.num_threads), k->empty());
+    });
     sub->add_option("--validate", a->validate, "Dataset of other subjects on which k is chosen");
     sub->add_option("--candidates", a->candidates, "Values of k to try")->capture_default_str();
     sub->add_option("--plot", a->picture, "PNG of L1 against FMPD with the Pareto front");
@@ -473,6 +538,7 @@ void add_spectral_commands(CLI::App& app) {
     group->require_subcommand(1);
     add_basis(*group);
     add_bands(*group);
+    add_band_mix(*group);
     add_learning(*group);
     add_coding_commands(*group);
     add_metric(app);

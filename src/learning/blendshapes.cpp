@@ -316,15 +316,28 @@ std::vector<BandChoice> search_band_limit(const BlendshapeModel& model, const Sp
                                           const FacePairs& validation,
                                           const std::vector<Index>& candidates,
                                           const Context& context) {
+    const PredictBands predict = [&](const Points& neutral, Points& spatial, Points& differential) {
+        BlendshapeModel::Prediction prediction = model.predict(neutral, context);
+        spatial = std::move(prediction.spatial);
+        differential = std::move(prediction.differential);
+    };
+    return search_band_limit(predict, model.mean().triangles, basis, validation, candidates,
+                             context);
+}
+
+std::vector<BandChoice> search_band_limit(const PredictBands& predict, const Triangles& triangles,
+                                          const SpectralBasis& basis, const FacePairs& validation,
+                                          const std::vector<Index>& candidates,
+                                          const Context& context) {
     if (validation.count < 1 || candidates.empty())
         fail(Status::invalid_argument, "a search over k without faces or without candidates");
     std::vector<BandChoice> choices(candidates.size());
-    Points neutral, expression;
+    Points neutral, expression, spatial, differential;
     TriMesh truth, guess;
-    truth.triangles = guess.triangles = model.mean().triangles;
+    truth.triangles = guess.triangles = triangles;
     for (Index i = 0; i < validation.count; ++i) {
         validation.pair(i, neutral, expression);
-        const auto prediction = model.predict(neutral, context);
+        predict(neutral, spatial, differential);
         truth.vertices = expression;
         for (std::size_t c = 0; c < candidates.size(); ++c) {
             context.progress(Stage::fitting,
@@ -333,8 +346,7 @@ std::vector<BandChoice> search_band_limit(const BlendshapeModel& model, const Sp
                                  static_cast<double>(validation.count));
             const Index k =
                 candidates[c] > basis.num_modes() ? basis.num_vertices() : candidates[c];
-            guess.vertices =
-                assemble(basis, prediction.spatial, prediction.differential, k, context);
+            guess.vertices = assemble(basis, spatial, differential, k, context);
             choices[c].k = candidates[c];
             choices[c].l1_mm +=
                 l1_distance(truth.vertices, guess.vertices) / static_cast<double>(validation.count);

@@ -78,6 +78,13 @@ struct BandChoice {
     bool on_front = false;  ///< no other k is better in both L1 and FMPD
     bool chosen = false;    ///< the front's knee: nearest to the best of both
 };
+/// Both predictions of a person's expression, in the frame of `neutral`.
+using PredictBands =
+    std::function<void(const Points& neutral, Points& spatial, Points& differential)>;
+std::vector<BandChoice> search_band_limit(const PredictBands& predict, const Triangles& triangles,
+                                          const SpectralBasis& basis, const FacePairs& validation,
+                                          const std::vector<Index>& candidates,
+                                          const Context& context);
 /// Tries every k on given pairs (5.3.4); ascending k, values beyond the basis mean "spatial alone".
 std::vector<BandChoice> search_band_limit(const BlendshapeModel& model, const SpectralBasis& basis,
                                           const FacePairs& validation,

@@ -164,15 +164,41 @@ std::shared_ptr<const FaceFeatures> FaceFeatures::train(const TrianglesRef& tria
     return features;
 }
 
+std::shared_ptr<const FaceFeatures> FaceFeatures::around(
+    const TriMesh& mean, double scale_mm, FeatureKind kind, FeatureSpread spread, Index count,
+    const std::function<Features(Index)>& raw) {
+    check_mesh(mean, "the features' mean shape");
+    if (!(scale_mm > 0)) fail(Status::invalid_argument, "features of a scale of %g mm", scale_mm);
+    auto features = std::make_shared<FaceFeatures>();
+    features->kind_ = kind;
+    features->mean_ = mean;
+    features->scale_mm_ = scale_mm;
+    features->statistics_ = feature_statistics(count, raw);
+    const Features& first = features->statistics_.mean;
+    if (first.rows() != features->num_vertices() || first.cols() != features->num_channels())
+        fail(Status::mismatch, "%lld x %lld features instead of %lld x %d",
+             static_cast<long long>(first.rows()), static_cast<long long>(first.cols()),
+             static_cast<long long>(features->num_vertices()), features->num_channels());
+    if (spread == FeatureSpread::per_channel) share_spread(features->statistics_);
+    return features;
+}
+
+Points onto_mean_shape(const PointsRef& face, const TriMesh& mean, Similarity* motion) {
+    if (face.rows() != mean.vertices.rows())
+        fail(Status::mismatch, "a face with %lld vertices for features of %lld",
+             static_cast<long long>(face.rows()), static_cast<long long>(mean.vertices.rows()));
+    if (!face.allFinite()) fail(Status::invalid_mesh, "a face with a vertex that is not finite");
+    const Similarity onto_mean = align_points(face, mean.vertices, {}, false);
+    if (motion != nullptr) *motion = onto_mean;
+    return onto_mean.apply(face);
+}
+
 Features FaceFeatures::raw(const PointsRef& face, Similarity* motion,
                            const Context& context) const {
-    if (face.rows() != num_vertices())
-        fail(Status::mismatch, "a face with %lld vertices for features of %lld",
-             static_cast<long long>(face.rows()), static_cast<long long>(num_vertices()));
-    if (!face.allFinite()) fail(Status::invalid_mesh, "a face with a vertex that is not finite");
-    const Similarity onto_mean = align_points(face, mean_.vertices, {}, false);
-    if (motion != nullptr) *motion = onto_mean;
-    const Points aligned = onto_mean.apply(face);
+    return raw_aligned(onto_mean_shape(face, mean_, motion), context);
+}
+
+Features FaceFeatures::raw_aligned(const PointsRef& aligned, const Context& context) const {
     // Deformations have no unit: a common scale of face and template cancels.
     if (const auto* deformation = this->deformation(context))
         return deformation->encode(aligned, context);
@@ -181,7 +207,14 @@ Features FaceFeatures::raw(const PointsRef& face, Similarity* motion,
 
 Features FaceFeatures::encode(const PointsRef& face, Similarity* motion,
                               const Context& context) const {
-    Features f = raw(face, motion, context);
+    return prepare(raw(face, motion, context));
+}
+
+Features FaceFeatures::encode_aligned(const PointsRef& aligned, const Context& context) const {
+    return prepare(raw_aligned(aligned, context));
+}
+
+Features FaceFeatures::prepare(Features f) const {
     if (kind_ == FeatureKind::euclidean_standardised ||
         kind_ == FeatureKind::deformation_standardised)
         standardise(statistics_, f);

@@ -56,6 +56,10 @@ void destandardise(const FeatureStatistics& statistics, Features& features);
 void normalise(const FeatureStatistics& statistics, Features& features);
 void denormalise(const FeatureStatistics& statistics, Features& features);
 
+/// A face moved rigidly onto a mean shape (`motion`, optional, receives how). Throws
+/// Status::mismatch for another number of vertices, invalid_mesh for one that is not finite.
+Points onto_mean_shape(const PointsRef& face, const TriMesh& mean, Similarity* motion);
+
 /// Immutable; shared freely between threads.
 class FaceFeatures {
   public:
@@ -68,6 +72,13 @@ class FaceFeatures {
     static std::shared_ptr<const FaceFeatures> train(const TrianglesRef& triangles,
                                                      const FaceSource& source, FeatureKind kind,
                                                      FeatureSpread spread, const Context& context);
+    /// The same around a mean shape and a scale that are given: `raw` gives the features of
+    /// training sample k (#V x channels of `kind`) before standardisation or normalisation. For
+    /// features of something that is not aligned again: bands of aligned faces, displacements.
+    static std::shared_ptr<const FaceFeatures> around(const TriMesh& mean, double scale_mm,
+                                                      FeatureKind kind, FeatureSpread spread,
+                                                      Index count,
+                                                      const std::function<Features(Index)>& raw);
     /// safetensors, kind "mien-face-features", format 1.
     static std::shared_ptr<const FaceFeatures> load(const std::string& path,
                                                     const SafetensorsReadOptions& options,
@@ -90,6 +101,10 @@ class FaceFeatures {
     /// Features of a face; `motion` (optional) receives the rigid motion onto the mean, which
     /// decode() undoes when it is given back.
     Features encode(const PointsRef& face, Similarity* motion, const Context& context) const;
+    /// The same of a face that stands in the mean's frame already.
+    Features encode_aligned(const PointsRef& aligned, const Context& context) const;
+    /// Standardisation or normalisation alone: the inverse of restore().
+    Features prepare(Features raw) const;
     /// The face in the mean's frame, mm, or where `motion` took it from. Deformations are free of
     /// translation: their faces keep the mean's centre.
     Points decode(const Eigen::Ref<const Features>& features, const Similarity* motion,
@@ -102,6 +117,7 @@ class FaceFeatures {
     /// Null for coordinates. Factorised when it is first needed: reading a file does not wait.
     const DeformationRepresentation* deformation(const Context& context) const;
     Features raw(const PointsRef& face, Similarity* motion, const Context& context) const;
+    Features raw_aligned(const PointsRef& aligned, const Context& context) const;
 
     FeatureKind kind_ = FeatureKind::euclidean;
     TriMesh mean_;

@@ -7,11 +7,10 @@
 #include "base/json_text.hpp"
 #include "base/json_tree.hpp"
 #include "geometry/alignment.hpp"
+#include "learning/displacement_features.hpp"
 
 namespace mien {
 namespace {
-
-constexpr const char* kNetworkKind = "mien-network";
 
 bool is_deformation(const FaceFeatures& features) {
     return features.kind() >= FeatureKind::deformation;
@@ -62,13 +61,15 @@ void add_layers(JsonText& json, const char* name, const NetworkLayers& network,
 std::shared_ptr<const Network> Network::make(NetworkLayers layers,
                                              std::shared_ptr<const FaceFeatures> input,
                                              std::shared_ptr<const FaceFeatures> output,
-                                             NetworkOrigin origin, const Context& context) {
+                                             NetworkOrigin origin, const Context& context,
+                                             NetworkTask task, CodeDistribution codes) {
     check_layers(layers);
     auto network = std::make_shared<Network>();
     network->layers_ = std::move(layers);
     network->input_ = std::move(input);
     network->output_ = std::move(output);
     network->origin_ = std::move(origin);
+    network->task_ = task;
     const NetworkLayers& list = network->layers_;
     // Before anything is allocated for its sizes.
     check_sides(list.encoder, true, network->input(), "encoder");
@@ -81,23 +82,40 @@ std::shared_ptr<const Network> Network::make(NetworkLayers layers,
         fail(Status::bad_format, "the network's input and output are of different templates");
     network->code_size_ = static_cast<Index>(network->encoder_ ? network->encoder_->outputs()
                                                                : network->decoder_->inputs());
+    network->set_codes(std::move(codes), network->code_size_);
     return network;
 }
 
 std::shared_ptr<const Network> Network::load(const std::string& path,
                                              const SafetensorsReadOptions& options,
                                              const Context& context) {
-    return read(SafetensorsFile::open(path, options, context), context);
+    const auto any = FaceNetwork::load(path, options, context);
+    auto single = std::dynamic_pointer_cast<const Network>(any);
+    if (!single)
+        fail(Status::bad_format, "%.150s: holds two networks over the bands of a face, not one",
+             path.c_str());
+    return single;
 }
 
 std::shared_ptr<const Network> Network::read(const SafetensorsFile& file, const Context& context) {
-    file.require_kind(kNetworkKind);
+    const auto network = std::const_pointer_cast<Network>(read_part(file, "", context));
+    if (network->layers_.condition != 0)
+        fail(Status::bad_format,
+             "a network that decodes with the code of another, which is not in "
+             "the file");
+    network->read_codes(file);
+    return network;
+}
+
+std::shared_ptr<const Network> Network::read_part(const SafetensorsFile& file,
+                                                  const std::string& prefix,
+                                                  const Context& context) {
     NetworkLayers layers;
-    read_layers_json(file.metadata("layers"), layers);
+    read_layers_json(file.metadata(prefix + "layers"), layers);
     for (const auto* list : {&layers.encoder, &layers.decoder, &layers.variance})
         for (const NetworkLayer& layer : *list)
             for (const auto& entry : layer.tensors) {
-                const auto found = file.tensors().find(entry.second);
+                const auto found = file.tensors().find(prefix + entry.second);
                 if (found == file.tensors().end()) continue;  // check_layers() says which
                 NetworkTensor tensor;
                 tensor.dtype = found->second.dtype;
@@ -106,37 +124,43 @@ std::shared_ptr<const Network> Network::read(const SafetensorsFile& file, const 
                 tensor.owner = file.storage();
                 layers.tensors[entry.second] = tensor;
             }
-    auto input = FaceFeatures::read(file, "input.");
+    auto input = FaceFeatures::read(file, prefix + "input.");
     std::shared_ptr<const FaceFeatures> output;
-    if (file.has("output.mean_shape")) output = FaceFeatures::read(file, "output.");
-    NetworkOrigin origin;
-    const auto text = [&](const char* key) {
-        const auto entry = file.metadata().find(key);
-        return entry == file.metadata().end() ? std::string() : entry->second;
-    };
-    origin.name = text("name");
-    origin.training = text("training");
-    if (!origin.training.empty())  // it becomes a part of network_json()
-        JsonTree(origin.training.data(), origin.training.size(), "the network's training");
-    return make(std::move(layers), std::move(input), std::move(output), std::move(origin), context);
+    if (file.has(prefix + "output.mean_shape"))
+        output = FaceFeatures::read(file, prefix + "output.");
+    NetworkTask task = NetworkTask::face;
+    if (const auto entry = file.metadata().find(prefix + "task"); entry != file.metadata().end()) {
+        if (entry->second != "displacement" || output == nullptr)
+            fail(Status::bad_format,
+                 "a network of a task that this library does not know, or "
+                 "without the features of its displacements");
+        task = NetworkTask::displacement;
+    }
+    return make(std::move(layers), std::move(input), std::move(output), read_origin(file, prefix),
+                context, task);
+}
+
+void Network::append_to(const std::string& prefix, std::vector<TensorToWrite>& tensors,
+                        std::map<std::string, std::string>& metadata) const {
+    metadata[prefix + "layers"] = layers_json(layers_);
+    metadata[prefix + "name"] = origin_.name;
+    if (!origin_.training.empty()) metadata[prefix + "training"] = origin_.training;
+    if (task_ == NetworkTask::displacement) metadata[prefix + "task"] = "displacement";
+    input_->append_to(prefix + "input.", tensors, metadata);
+    if (output_) output_->append_to(prefix + "output.", tensors, metadata);
+    for (const auto& [name, tensor] : layers_.tensors)
+        tensors.push_back({prefix + name, tensor.dtype, tensor.shape, tensor.data});
 }
 
 void Network::save(const std::string& path, const Context& context) const {
+    if (layers_.condition != 0)
+        fail(Status::invalid_argument,
+             "a network that decodes with the code of another is saved together with that");
     std::vector<TensorToWrite> tensors;
-    std::map<std::string, std::string> metadata{{"kind", kNetworkKind},
-                                                {"units", "millimetres"},
-                                                {"layers", layers_json(layers_)},
-                                                {"name", origin_.name}};
-    if (!origin_.training.empty()) metadata["training"] = origin_.training;
-    input_->append_to("input.", tensors, metadata);
-    if (output_) output_->append_to("output.", tensors, metadata);
-    for (const auto& [name, tensor] : layers_.tensors)
-        tensors.push_back({name, tensor.dtype, tensor.shape, tensor.data});
-    std::stable_sort(tensors.begin(), tensors.end(),
-                     [](const TensorToWrite& a, const TensorToWrite& b) {
-                         return dtype_bytes(a.dtype) > dtype_bytes(b.dtype);
-                     });
-    write_safetensors(path, tensors, std::move(metadata), context);
+    std::map<std::string, std::string> metadata;
+    append_to("", tensors, metadata);
+    append_codes(tensors);
+    write_network_file(path, std::move(tensors), std::move(metadata), context);
 }
 
 std::uint64_t Network::num_weights() const {
@@ -165,10 +189,7 @@ void Network::decode_features(const float* code, float* features, const Context&
     needed(decoder_, "decoder").run(code, features, context);
 }
 
-Eigen::VectorXf Network::encode(const PointsRef& face, Similarity* motion,
-                                const Context& context) const {
-    needed(encoder_, "encoder");
-    const Features features = input_->encode(face, motion, context);
+Eigen::VectorXf Network::code_of(const Features& features, const Context& context) const {
     const Eigen::VectorXf in =
         Eigen::Map<const Vector>(features.data(), features.size()).cast<float>();
     Eigen::VectorXf code(code_size_);
@@ -176,29 +197,47 @@ Eigen::VectorXf Network::encode(const PointsRef& face, Similarity* motion,
     return code;
 }
 
-Points Network::decode(const Eigen::Ref<const Eigen::VectorXf>& code, const Similarity* motion,
-                       const Context& context) const {
+Features Network::features_of(const Eigen::Ref<const Eigen::VectorXf>& code,
+                              const Context& context) const {
     needed(decoder_, "decoder");
-    if (code.size() != code_size_)
+    if (code.size() != static_cast<Index>(decoder_->inputs()))
         fail(Status::mismatch, "a code of %lld numbers for a network of %lld",
-             static_cast<long long>(code.size()), static_cast<long long>(code_size_));
+             static_cast<long long>(code.size()), static_cast<long long>(decoder_->inputs()));
     if (!code.allFinite()) fail(Status::invalid_argument, "a code that is not finite");
     Eigen::VectorXf out(static_cast<Index>(decoder_->outputs()));
     decode_features(code.data(), out.data(), context);
     const Vector values = out.cast<double>();
-    return output().decode(
-        Eigen::Map<const Features>(values.data(), decoder_->rows_out(), decoder_->channels_out()),
-        motion, context);
+    return Eigen::Map<const Features>(values.data(), decoder_->rows_out(),
+                                      decoder_->channels_out());
 }
 
-Points Network::apply(const PointsRef& face, const Context& context) const {
+Eigen::VectorXf Network::encode(const PointsRef& face, Similarity* motion,
+                                const Context& context) const {
+    needed(encoder_, "encoder");
+    return code_of(input_->encode(face, motion, context), context);
+}
+
+Points Network::decode(const Eigen::Ref<const Eigen::VectorXf>& code, const Similarity* motion,
+                       const Context& context) const {
+    if (task_ == NetworkTask::displacement)
+        fail(Status::unsupported_option,
+             "this network's codes are of what an expression adds to a neutral face; apply it to "
+             "one");
+    return output().decode(features_of(code, context), motion, context);
+}
+
+Points Network::apply(const PointsRef& face, Index, const Context& context) const {
     Similarity motion;
     const Eigen::VectorXf code = encode(face, &motion, context);
+    if (task_ == NetworkTask::displacement)
+        return motion.inverse().apply(
+            add_displacement(output(), motion.apply(face), features_of(code, context), context));
     const Points out = decode(code, &motion, context);
     return is_deformation(output()) ? align_points(out, face, {}, false).apply(out) : out;
 }
 
-std::string network_json(const Network& network) {
+std::string Network::json() const {
+    const Network& network = *this;
     JsonText json;
     json.begin_object().field("name", network.origin().name);
     json.field("vertices", network.num_vertices())
@@ -206,6 +245,8 @@ std::string network_json(const Network& network) {
         .field("code", network.code_size())
         .field("encodes", network.encodes())
         .field("decodes", network.decodes())
+        .field("task", task_ == NetworkTask::face ? "face" : "displacement")
+        .field("samples", codes() != nullptr)
         .field("input_features", feature_kind_name(network.input().kind()))
         .field("output_features", feature_kind_name(network.output().kind()))
         .field("weights", static_cast<std::int64_t>(network.num_weights()))

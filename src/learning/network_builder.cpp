@@ -92,6 +92,13 @@ class NetworkBuilder {
     NetworkLayer basis(const std::string& name, const RowLists& rows, const std::string& lists,
                        Index rows_in, Index in, Index out, bool elu, bool same_rows);
 
+    /// Channels of the decoder's input whose own code has `channels` in each of `rows`.
+    Index with_condition(Index channels, Index rows) {
+        if (!options_.conditioned) return channels;
+        network_.condition = channels * rows;
+        return 2 * channels;
+    }
+
     const NetworkOptions& options_;
     const Context& context_;
     NetworkLayers network_;
@@ -291,7 +298,8 @@ NetworkLayers NetworkBuilder::pooled(const TriMesh& mean) {
     }
     const Index coarsest = levels[depth].mesh.vertices.rows();
     network_.encoder.push_back(dense("encoder.code", coarsest, channels, 1, options_.latent));
-    network_.decoder.push_back(dense("decoder.code", 1, options_.latent, coarsest, channels));
+    network_.decoder.push_back(
+        dense("decoder.code", 1, with_condition(options_.latent, 1), coarsest, channels));
     for (std::size_t l = depth; l-- > 0;) {
         network_.decoder.push_back(up(levels[l + 1], l, channels));
         // 128 -> 128, 64, 32, 16: the first layer up keeps its width, then the encoder's mirrored.
@@ -369,8 +377,8 @@ NetworkLayers NetworkBuilder::convolutional(const TriMesh& mean) {
     if (options_.variational)
         network_.variance.push_back(
             basis("variance", flat, "flat", coarsest, channels, code, false, true));
-    network_.decoder.push_back(
-        basis("decoder.code", flat, "flat", coarsest, code, channels, true, true));
+    network_.decoder.push_back(basis("decoder.code", flat, "flat", coarsest,
+                                     with_condition(code, coarsest), channels, true, true));
     for (std::size_t l = depth; l-- > 0;) {
         const Index width = l > 0 ? options_.mesh_widths[l - 1] : options_.channels_out;
         network_.decoder.push_back(

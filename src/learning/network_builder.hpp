@@ -20,6 +20,7 @@ struct NetworkOptions {
     Index channels_in = 3, channels_out = 3;  ///< of the features
     Index latent = 64;  ///< numbers of the code; mesh_autoencoder takes the nearest multiple of its
                         ///< coarsest level
+    bool conditioned = false;  ///< the decoder takes a second code of the same size beside its own
     std::vector<Index> widths{16, 32, 64, 128};        ///< channels by level, finest first
     std::vector<Index> mesh_widths{32, 64, 128, 128};  ///< the same of mesh_autoencoder
     double factor = 4;                                 ///< of vertices from level to level; > 1

@@ -241,6 +241,23 @@ void check_list(const NetworkLayers& network, const std::vector<NetworkLayer>& l
     }
 }
 
+void check_codes(const NetworkLayers& network) {
+    if (network.condition != 0 && (network.encoder.empty() || network.decoder.empty()))
+        fail(Status::bad_format, "a network with a condition needs an encoder and a decoder");
+    if (network.encoder.empty() || network.decoder.empty()) return;
+    const NetworkLayer &code = network.encoder.back(), &from = network.decoder.front();
+    const Index given = code.rows_out * code.channels_out, taken = from.rows_in * from.channels_in;
+    if (network.condition < 0 || network.condition > kMostValues ||
+        given + network.condition != taken)
+        fail(Status::bad_format,
+             "the network's decoder takes %lld numbers, its encoder gives %lld, another code %lld",
+             static_cast<long long>(taken), static_cast<long long>(given),
+             static_cast<long long>(network.condition));
+    // Two codes are joined row by row.
+    if (network.condition != 0 && (given % from.rows_in != 0 || taken % from.rows_in != 0))
+        fail(Status::bad_format, "the network's codes do not fill the rows of its decoder");
+}
+
 }  // namespace
 
 void check_layers(const NetworkLayers& network) {
@@ -249,14 +266,7 @@ void check_layers(const NetworkLayers& network) {
     check_list(network, network.encoder, "encoder");
     check_list(network, network.decoder, "decoder");
     check_list(network, network.variance, "variance");
-    if (!network.encoder.empty() && !network.decoder.empty() &&
-        network.encoder.back().rows_out * network.encoder.back().channels_out !=
-            network.decoder.front().rows_in * network.decoder.front().channels_in)
-        fail(Status::bad_format, "the network's decoder takes %lld numbers, its encoder gives %lld",
-             static_cast<long long>(network.decoder.front().rows_in) *
-                 static_cast<long long>(network.decoder.front().channels_in),
-             static_cast<long long>(network.encoder.back().rows_out) *
-                 static_cast<long long>(network.encoder.back().channels_out));
+    check_codes(network);
     if (!network.variance.empty() &&
         (network.encoder.empty() ||
          network.variance.front().rows_in != network.encoder.back().rows_in ||

@@ -177,6 +177,7 @@ std::string layers_json(const NetworkLayers& network) {
     write_list(json, "encoder", network.encoder);
     write_list(json, "decoder", network.decoder);
     if (!network.variance.empty()) write_list(json, "variance", network.variance);
+    if (network.condition != 0) json.field("condition", network.condition);
     json.end_object();
     return json.take();
 }
@@ -186,6 +187,7 @@ void read_layers_json(const std::string& json, NetworkLayers& network) {
     network.encoder = read_list(tree.root()["encoder"], "encoder");
     network.decoder = read_list(tree.root()["decoder"], "decoder");
     network.variance = read_list(tree.root()["variance"], "variance");
+    network.condition = static_cast<Index>(tree.root()["condition"].count("condition", 0));
 }
 
 }  // namespace mien

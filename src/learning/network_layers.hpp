@@ -83,6 +83,9 @@ struct NetworkLayers {
     /// Of a variational network in training: the log-variance, from the input of the encoder's last
     /// layer. Empty otherwise; files of finished networks have none.
     std::vector<NetworkLayer> variance;
+    /// Numbers of another network's code that the decoder takes beside its own: in each of its
+    /// input rows first the own channels, then the other's. 0: it decodes its own code alone.
+    Index condition = 0;
     NetworkTensors tensors;
 
     /// The tensor of a role; it must be there (check_layers()).

@@ -146,6 +146,27 @@ TEST_F(NetworkAbi, WrongInputsAreTypedErrors) {
     }
 }
 
+TEST_F(NetworkAbi, MixesAndSamplesCodes) {
+    const Network network = Network::load(session_, path_);
+    EXPECT_EQ(network.low_code_count(), kCode);
+    EXPECT_EQ(network.band_limit(), -1);
+    const Mesh a = face(13), b = face(6);
+    Network::Motion motion;
+    std::vector<double> code = network.encode(session_, a, &motion);
+    const std::vector<double> of_b = network.encode(session_, b);
+    for (std::size_t k = 0; k < kCode; ++k) code[k] += 0.25 * (of_b[k] - code[k]);
+    EXPECT_LT(largest_difference(network.mix(session_, a, b, 0.25, 9).positions(),
+                                 network.decode(session_, code, &motion).positions()),
+              1e-4)
+        << "a network without bands takes the first weight";
+    EXPECT_EQ(network.sample(5, 1), network.sample(5, 1));
+    EXPECT_NE(network.sample(5, 1), network.sample(5, 2));
+    EXPECT_EQ(network.sample(5, 1, 0), std::vector<double>(kCode, 0.25));
+    EXPECT_EQ(status_of([&] { network.sample(5, 1, -1); }), MIEN_E_INVALID_ARGUMENT);
+    EXPECT_EQ(status_of([&] { network.mix(session_, a, b, std::nan(""), 0); }),
+              MIEN_E_INVALID_ARGUMENT);
+}
+
 TEST_F(NetworkAbi, CancelEndsACall) {
     const Network network = Network::load(session_, path_);
     mien_cancel* cancel = nullptr;

@@ -43,6 +43,12 @@ class SmallNetwork {
         for (const char* name : {"mean", "deviation", "least", "greatest"})
             add(std::string("input.") + name, "F64", {n, 3},
                 std::string(name) == "deviation" ? ones : scaled);
+        // A distribution of codes with two directions.
+        const auto numbers = static_cast<std::size_t>(code);
+        std::vector<double> factor(2 * numbers, 0.0);
+        factor.front() = factor.back() = 0.5;
+        add("codes.mean", "F64", {code}, std::vector<double>(numbers, 0.25));
+        add("codes.factor", "F64", {2, code}, factor);
         add("input.triangles", "U32", {triangles.size() / 3, 3}, triangles);
         add("index", "U32", {kept}, index);
         add("down", "F32", {3 * kept, code}, down);

@@ -86,6 +86,92 @@ def write_network(path, name, code):
                           "face_bias": ("F32", [n], "f", middle)})
 
 
+MODES = 6
+
+
+def centred_sheet():
+    mean = sheet(10)
+    low, high = min(p[2] for p in mean), max(p[2] for p in mean)
+    return [(x, y, z - 0.5 * (low + high)) for x, y, z in mean]
+
+
+def cosines():
+    """MODES orthonormal fields over the vertices, for a mass of 1 each; the first is constant."""
+    n = SIDE * SIDE
+    return [[math.sqrt((2 if k else 1) / n) * math.cos(math.pi * k * (i + 0.5) / n) for i in range(n)]
+            for k in range(MODES)]
+
+
+def dense(rows_in, channels_in, rows_out, channels_out, weight, bias):
+    return {"kind": "dense", "rows_in": rows_in, "channels_in": channels_in, "rows_out": rows_out,
+            "channels_out": channels_out, "elu": False, "tensors": {"weight": weight, "bias": bias}}
+
+
+def features(prefix, channels, middle):
+    n = SIDE * SIDE
+    scale = max(abs(x) for x in flat(centred_sheet()))
+    return {f"{prefix}mean_shape": ("F64", [n, 3], "d", flat(centred_sheet())),
+            f"{prefix}scale_mm": ("F64", [1], "d", [scale]),
+            **{f"{prefix}{key}": ("F64", [n, channels], "d", middle)
+               for key in ("mean", "deviation", "least", "greatest")}}
+
+
+def triangles(prefix):
+    return {f"{prefix}triangles": ("U32", [len(cells()), 3], "I", flat(cells()))}
+
+
+def write_bands(path):
+    """Two bands at MODES modes. The low one gives its code back whole (3 numbers a mode), the high one always the
+    mean's deformations, whatever its code of 2 numbers is."""
+    n, code, other = SIDE * SIDE, 3 * MODES, 2
+    u = cosines()
+    scale = max(abs(x) for x in flat(centred_sheet()))
+    middle = [x / scale for x in flat(centred_sheet())]
+    down = [[u[k][i] if axis == c else 0.0 for k in range(MODES) for c in range(3)] for i in range(n) for axis in range(3)]
+    bias = [-sum(down[i][k] * middle[i] for i in range(3 * n)) for k in range(code)]
+    up = [[down[i][k] for i in range(3 * n)] for k in range(code)] + [[0.0] * (3 * n)] * other
+    low = {"encoder": [dense(n, 3, 1, code, "down", "code_bias")],
+           "decoder": [dense(1, code + other, n, 3, "up", "face_bias")], "condition": other}
+    high = {"encoder": [dense(n, 9, 1, other, "down", "code_bias")],
+            "decoder": [dense(1, code + other, n, 9, "up", "face_bias")], "condition": code}
+    wide = {"basis.values": ("F64", [MODES], "d", [0.1 * k for k in range(MODES)]),
+            "basis.mass": ("F64", [n], "d", [1.0] * n),
+            "basis.vectors": ("F64", [n, MODES], "d", [u[k][i] for i in range(n) for k in range(MODES)]),
+            **features("low.input.", 3, middle), **features("high.input.", 9, [0.0] * (9 * n)),
+            "codes.mean": ("F64", [code + other], "d", [0.0] * (code + other)),
+            "codes.factor": ("F64", [1, code + other], "d", [0.0] * 5 + [0.1] + [0.0] * (code + other - 6))}
+    narrow = {**triangles("low.input."), **triangles("high.input."),
+              "low.down": ("F32", [3 * n, code], "f", flat(down)), "low.code_bias": ("F32", [code], "f", bias),
+              "low.up": ("F32", [code + other, 3 * n], "f", flat(up)), "low.face_bias": ("F32", [3 * n], "f", middle),
+              "high.down": ("F32", [9 * n, other], "f", [0.01] * (9 * n * other)),
+              "high.code_bias": ("F32", [other], "f", [0.5] * other),
+              "high.up": ("F32", [code + other, 9 * n], "f", [0.0] * (9 * n * (code + other))),
+              "high.face_bias": ("F32", [9 * n], "f", [0.0] * (9 * n))}
+    bands = {"task": "faces", "band_limit": MODES, "conditioning": 1}
+    return write_tensors(path, {"kind": "mien-network", "format": "2.0", "units": "millimetres", "name": "two bands",
+                                "bands": json.dumps(bands), "basis.mass": "none", "basis.cotangents": "keep",
+                                "low.layers": json.dumps(low), "low.name": "low", "low.input.features": "euclidean",
+                                "high.layers": json.dumps(high), "high.name": "high",
+                                "high.input.features": "deformation"}, {**wide, **narrow})
+
+
+def write_expression(path, expression, shift):
+    """Adds `shift` mm along z of the mean's frame to every vertex of a neutral face."""
+    n = SIDE * SIDE
+    scale = max(abs(x) for x in flat(centred_sheet()))
+    layers = {"encoder": [dense(n, 3, 1, 1, "down", "code_bias")], "decoder": [dense(1, 1, n, 3, "up", "face_bias")]}
+    neutral = [x / scale for x in flat(centred_sheet())]
+    return write_tensors(path, {"kind": "mien-network", "format": "2.0", "units": "millimetres", "name": "adds",
+                                "training": json.dumps({"data": {"expression": expression}}), "task": "displacement",
+                                "layers": json.dumps(layers), "input.features": "euclidean",
+                                "output.features": "euclidean"},
+                         {**features("input.", 3, neutral), **features("output.", 3, [0.0] * (3 * n)),
+                          **triangles("input."), **triangles("output."),
+                          "down": ("F32", [3 * n, 1], "f", [0.01] * (3 * n)), "code_bias": ("F32", [1], "f", [0.0]),
+                          "up": ("F32", [1, 3 * n], "f", [0.0] * (3 * n)),
+                          "face_bias": ("F32", [3 * n], "f", [0.0, 0.0, shift / scale] * n)})
+
+
 def write_obj(path, vertices):
     path.write_text("".join(f"v {x!r} {y!r} {z!r}\n" for x, y, z in vertices) +
                     "".join(f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in cells()))
@@ -145,6 +231,56 @@ class Network(unittest.TestCase):
         self.assertLess(rows[1]["l1_mm"], rows[0]["l1_mm"])
         self.assertTrue(rows[1]["on_front"])
         self.assertTrue((WORK / "compare.png").read_bytes().startswith(b"\x89PNG"))
+
+    def low_numbers(self, face):
+        """The face's code in the low band, and whatever is left."""
+        must("network", "encode", "--network", self.bands, "--in", face, "--out", WORK / "numbers.json")
+        return json.loads((WORK / "numbers.json").read_text())["code"][:3 * MODES]
+
+    def test_two_bands_are_encoded_mixed_and_made_up(self):
+        self.bands = write_bands(WORK / "bands.safetensors")
+        out = must("network", "info", "--network", self.bands)
+        self.assertIn("two bands at 6 of 6 modes", out)
+        self.assertIn("high decoder", out)
+        must("network", "apply", "--network", self.bands, "--in", self.face, "--out", WORK / "applied.obj")
+        for a, b in zip(self.low_numbers(WORK / "applied.obj"), self.low_numbers(self.face)):
+            self.assertAlmostEqual(a, b, delta=2e-3)
+        other = write_obj(WORK / "other.obj", sheet(4))
+        for command in ("network", "spectral"):
+            must(command, "mix", "--network", self.bands, "--in", self.face, "--with", other, "--weights", 1, 0,
+                 "--out", WORK / f"{command}.obj")
+        self.assertEqual((WORK / "network.obj").read_bytes(), (WORK / "spectral.obj").read_bytes())
+        for a, b in zip(self.low_numbers(WORK / "network.obj"), self.low_numbers(other)):
+            self.assertAlmostEqual(a, b, delta=2e-3)
+        must("network", "sample", "--network", self.bands, "--seed", 3, "--out", WORK / "made_up.obj", "--code",
+             WORK / "made_up.json")
+        code = json.loads((WORK / "made_up.json").read_text())["code"]
+        self.assertNotEqual(code[5], 0)
+        self.assertEqual([x for k, x in enumerate(code) if k != 5], [0.0] * 19)
+        must("network", "decode", "--network", self.bands, "--code", WORK / "made_up.json", "--out", WORK / "again.obj")
+        self.assertEqual((WORK / "made_up.obj").read_bytes(), (WORK / "again.obj").read_bytes())
+        done = run("network", "mix", "--network", self.network, "--in", self.face, "--with", other, "--weights", 1, 0,
+                   "--out", WORK / "x.obj")
+        self.assertEqual(done.returncode, 2)
+
+    def test_expressions_by_networks_become_one_file_with_names(self):
+        grin = write_expression(WORK / "grin.safetensors", "grin", 2.0)
+        pout = write_expression(WORK / "pout.safetensors", "pout", -3.0)
+        must("transfer-expression", "--network", grin, "--target", self.face, "--out", WORK / "grin.obj")
+        # The face was turned about z: the mean's z is its own.
+        for p, q in zip(read_obj(WORK / "grin.obj"), read_obj(self.face)):
+            for axis in range(3):
+                self.assertAlmostEqual(p[axis] - q[axis], 2.0 if axis == 2 else 0.0, delta=0.02)
+        must("transfer-expression", "--network", grin, pout, "--target", self.face, "--out", WORK / "both.glb")
+        glb = (WORK / "both.glb").read_bytes()
+        scene = json.loads(glb[20:20 + struct.unpack("<I", glb[12:16])[0]])
+        self.assertEqual(scene["meshes"][0]["extras"]["targetNames"], ["grin", "pout"])
+        for network, words in ((self.network, "gives faces back"), (self.face, "")):
+            done = run("transfer-expression", "--network", network, "--target", self.face, "--out", WORK / "x.glb")
+            self.assertNotEqual(done.returncode, 0)
+            self.assertIn(words, done.stderr)
+        done = run("network", "compare", "--networks", grin, "--data", self.face)
+        self.assertNotEqual(done.returncode, 0)
 
     def test_demo_faces_that_are_not_linear_come_with_an_oracle(self):
         done = subprocess.run([DEMO, "--nonlinear", "--out", WORK / "demo", "--subjects", "2", "--test-subjects", "2"],

@@ -29,11 +29,14 @@ std::string feed(const char* data, std::size_t size, const Points& face, Tally& 
         Context context;
         context.max_bytes = std::size_t(1) << 28;
         const SafetensorsFile file = SafetensorsFile::from_memory(data, size, trusting, context);
-        const auto network = Network::read(file, context);
+        const auto network = FaceNetwork::read(file, context);
         ++tally.read;
         const Eigen::VectorXf code = network->encode(face, nullptr, context);
-        const Points made = network->decode(code, nullptr, context);
-        network_json(*network);
+        const Points made = network->gives_faces_back() ? network->decode(code, nullptr, context)
+                                                        : network->apply(face, context);
+        network->json();
+        if (network->codes() != nullptr && !network->sample(1, 1, 1).allFinite())
+            return "a sample that is no number";
         ++tally.run;
         if (!code.allFinite() || !made.allFinite()) return "numbers that are none";
     } catch (const Error& error) {
@@ -57,6 +60,13 @@ int main(int argc, char** argv) {
         test::small_network(mesh, op, FeatureKind::euclidean_standardised)->save(path, {});
         seeds.push_back(read_bytes(path));
     }
+    const std::string path = folder / "bands";
+    test::small_bands(mesh, NetworkOperator::spiralnet, 0.4,
+                      code_distribution(Matrix::Random(48, 9)))
+        ->save(path, {});
+    seeds.push_back(read_bytes(path));
+    test::small_expression(mesh, 9)->save(path, {});
+    seeds.push_back(read_bytes(path));
     long faults = 0;
     Tally tally;
     double slowest = 0;

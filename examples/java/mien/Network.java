@@ -3,7 +3,9 @@ package mien;
 // Written by abi/generate_bindings.py.
 /**
  * A trained network with everything that belongs to it: layers, weights, neighbour lists and statistics of
- * one template. Immutable: share freely.
+ * one template. It may be one network, or two over the low and the high frequencies of a face, joined by
+ * spectral assembly; the code of the latter holds first the low band's numbers, then the high band's.
+ * Immutable: share freely.
  */
 public final class Network extends NativeObject {
     Network(long owned) { super(owned, Raw.GET::mien_network_release); }
@@ -112,7 +114,7 @@ public final class Network extends NativeObject {
             var sessionAt = call.use(session);
             var networkAt = call.use(this);
             var faceAt = call.use(face);
-            var optionsAt = call.record(options, 16, false, "options");
+            var optionsAt = call.record(options, 24, false, "options");
             var motionAt = call.room(12 * 8);
             var countAt = call.room(8);
             long capacity = call.firstCapacity(8);
@@ -136,8 +138,8 @@ public final class Network extends NativeObject {
      * @param motion may be left out: the mean's frame; 12 float64 of mien_network_encode(), which is undone.
      * @param options may be left out: defaults.
      * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (not finite, motion not rigid),
-     * MIEN_E_UNSUPPORTED_OPTION (no decoder), MIEN_E_MISMATCH (code_count), MIEN_E_NO_SOLUTION (a result that is
-     * not finite), MIEN_E_NO_MEMORY, MIEN_E_CANCELLED
+     * MIEN_E_UNSUPPORTED_OPTION (no decoder; a network that adds an expression), MIEN_E_MISMATCH (code_count),
+     * MIEN_E_NO_SOLUTION (a result that is not finite), MIEN_E_NO_MEMORY, MIEN_E_CANCELLED
      */
     public Mesh decode(Session session, double[] code, double[] motion, NetworkOptions options) {
         try (Call call = new Call()) {
@@ -149,7 +151,7 @@ public final class Network extends NativeObject {
             var codeAt = call.array(code);
             call.agree("motion", call.rows(motion, 1, "motion"), 12);
             var motionAt = call.array(motion);
-            var optionsAt = call.record(options, 16, false, "options");
+            var optionsAt = call.record(options, 24, false, "options");
             var outAt = call.room(8);
             call.check(Raw.GET.mien_network_decode(Memory.address(sessionAt), Memory.address(networkAt), Memory.address(codeAt), codeCount, Memory.address(motionAt), Memory.address(optionsAt), Memory.address(outAt), call.error()));
             return call.keep(new Mesh(call.pointer(outAt)));
@@ -163,8 +165,9 @@ public final class Network extends NativeObject {
 
     /**
      * The decoded face of a face's code, in the frame of that face: an autoencoder's reconstruction, or what the
-     * network was trained to make of a face (a neutral one into an expression). Networks on deformations, which
-     * know no place, have their result put onto the face rigidly. C: mien_network_apply().
+     * network was trained to make of a face (a neutral one into an expression, with what is the person's own
+     * kept). Networks on deformations, which know no place, have their result put onto the face rigidly; one that
+     * deforms a neutral face alone keeps that one's centre. C: mien_network_apply().
      * @param face #V vertices in the network's topology, mm, anywhere.
      * @param options may be left out: defaults.
      * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (a half is
@@ -177,7 +180,7 @@ public final class Network extends NativeObject {
             var sessionAt = call.use(session);
             var networkAt = call.use(this);
             var faceAt = call.use(face);
-            var optionsAt = call.record(options, 16, false, "options");
+            var optionsAt = call.record(options, 24, false, "options");
             var outAt = call.room(8);
             call.check(Raw.GET.mien_network_apply(Memory.address(sessionAt), Memory.address(networkAt), Memory.address(faceAt), Memory.address(optionsAt), Memory.address(outAt), call.error()));
             return call.keep(new Mesh(call.pointer(outAt)));
@@ -186,11 +189,87 @@ public final class Network extends NativeObject {
 
     /**
      * The decoded face of a face's code, in the frame of that face: an autoencoder's reconstruction, or what the
-     * network was trained to make of a face (a neutral one into an expression). Networks on deformations, which
-     * know no place, have their result put onto the face rigidly. All else as by default.
+     * network was trained to make of a face (a neutral one into an expression, with what is the person's own
+     * kept). Networks on deformations, which know no place, have their result put onto the face rigidly; one that
+     * deforms a neutral face alone keeps that one's centre. All else as by default.
      */
     public Mesh apply(Session session, Mesh face) {
         return apply(session, face, null);
+    }
+
+    /**
+     * Which numbers of a code belong to which band. Editing some of them changes that band of the decoded face
+     * (and the other one as far as its decoder was conditioned). C: mien_network_get_bands().
+     * @throws MienException MIEN_E_INVALID_HANDLE
+     */
+    public NetworkBands bands() {
+        try (Call call = new Call()) {
+            var networkAt = call.use(this);
+            var lowCodeCountAt = call.room(8);
+            var bandLimitAt = call.room(8);
+            call.check(Raw.GET.mien_network_get_bands(Memory.address(networkAt), Memory.address(lowCodeCountAt), Memory.address(bandLimitAt), call.error()));
+            return new NetworkBands(lowCodeCountAt.bytes.getLong(0), bandLimitAt.bytes.getLong(0));
+        }
+    }
+
+    /**
+     * A face between two, or with the bands of both: each band's code goes from a's to b's by its own weight and
+     * is decoded. Weights 0 and 0 give a as the network gives it back, 1 and 0 or 0 and 1 exchange a band, equal
+     * ones interpolate. A network without bands takes the first weight. C: mien_network_mix().
+     * @param a #V vertices in the network's topology, mm, anywhere.
+     * @param b #V vertices in the network's topology, mm, anywhere.
+     * @param lowWeight of the low band; any finite number.
+     * @param highWeight of the high band; any finite number.
+     * @param options may be left out: defaults.
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (a weight that is not finite),
+     * MIEN_E_UNSUPPORTED_OPTION (a half is missing; a network that adds an expression), MIEN_E_MISMATCH (vertex
+     * count), MIEN_E_INVALID_MESH (not finite), MIEN_E_NO_SOLUTION, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED
+     */
+    public Mesh mix(Session session, Mesh a, Mesh b, double lowWeight, double highWeight, NetworkOptions options) {
+        try (Call call = new Call()) {
+            call.lock(session);
+            var sessionAt = call.use(session);
+            var networkAt = call.use(this);
+            var aAt = call.use(a);
+            var bAt = call.use(b);
+            var optionsAt = call.record(options, 24, false, "options");
+            var outAt = call.room(8);
+            call.check(Raw.GET.mien_network_mix(Memory.address(sessionAt), Memory.address(networkAt), Memory.address(aAt), Memory.address(bAt), lowWeight, highWeight, Memory.address(optionsAt), Memory.address(outAt), call.error()));
+            return call.keep(new Mesh(call.pointer(outAt)));
+        }
+    }
+
+    /**
+     * A face between two, or with the bands of both: each band's code goes from a's to b's by its own weight and
+     * is decoded. Weights 0 and 0 give a as the network gives it back, 1 and 0 or 0 and 1 exchange a band, equal
+     * ones interpolate. A network without bands takes the first weight. All else as by default.
+     */
+    public Mesh mix(Session session, Mesh a, Mesh b, double lowWeight, double highWeight) {
+        return mix(session, a, b, lowWeight, highWeight, null);
+    }
+
+    /**
+     * The code of a made-up face: drawn from a Gaussian over the codes of the training faces, which the file
+     * holds. Number and seed alone decide. With dst null and capacity 0: writes the count only. C:
+     * mien_network_sample().
+     * @param seed of the chance.
+     * @param number of the code within the seed's series.
+     * @param spread 0 the mean code, 1 as far apart as the training faces; not negative.
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (spread), MIEN_E_UNSUPPORTED_OPTION
+     * (no distribution in the file), MIEN_E_NO_MEMORY
+     */
+    public double[] sample(long seed, long number, double spread) {
+        try (Call call = new Call()) {
+            var networkAt = call.use(this);
+            var countAt = call.room(8);
+            long capacity = call.firstCapacity(8);
+            Memory dstAt;
+            do {
+                dstAt = call.room(capacity * 8);
+            } while ((capacity = call.more(Raw.GET.mien_network_sample(Memory.address(networkAt), seed, number, spread, Memory.address(dstAt), capacity, Memory.address(countAt), call.error()), capacity, countAt)) != 0);
+            var rows = call.count(countAt);
+            return call.readDoubles(dstAt, rows);
+        }
     }
 
     /**
@@ -201,8 +280,9 @@ public final class Network extends NativeObject {
      * @param progress may be null; returns false to cancel
      * @param cancel may be null; interrupting the thread cancels as well
      * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (a half is
-     * missing, a switch), MIEN_E_MISMATCH (vertex count), MIEN_E_NOT_FOUND (no such face), MIEN_E_IO,
-     * MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_NO_SOLUTION, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED
+     * missing, a switch, a network that adds an expression), MIEN_E_MISMATCH (vertex count), MIEN_E_NOT_FOUND (no
+     * such face), MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_NO_SOLUTION, MIEN_E_NO_MEMORY,
+     * MIEN_E_CANCELLED
      */
     public String evaluate(Session session, String datasetPath, NetworkEvaluationOptions options, Progress progress, Cancel cancel) {
         try (Call call = new Call()) {

@@ -226,6 +226,9 @@ final class RawJni implements Raw {
     @Override public native int mien_network_encode(long session, long network, long face, long options, long motion, long dst, long capacity, long count, long error);
     @Override public native int mien_network_decode(long session, long network, long code, long codeCount, long motion, long options, long out, long error);
     @Override public native int mien_network_apply(long session, long network, long face, long options, long out, long error);
+    @Override public native int mien_network_get_bands(long network, long lowCodeCount, long bandLimit, long error);
+    @Override public native int mien_network_mix(long session, long network, long a, long b, double lowWeight, double highWeight, long options, long out, long error);
+    @Override public native int mien_network_sample(long network, long seed, long number, double spread, long dst, long capacity, long count, long error);
     @Override public native int mien_network_evaluate(long session, long network, long datasetPath, long options, long dst, long capacity, long count, long error);
     @Override public native void mien_network_retain(long network);
     @Override public native void mien_network_release(long network);

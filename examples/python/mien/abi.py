@@ -486,6 +486,7 @@ class NetworkOptions(ctypes.Structure):
         ("struct_size", ctypes.c_uint32),
         ("reserved", ctypes.c_uint32),
         ("cancel", ctypes.c_void_p),
+        ("band_limit", ctypes.c_int64),
     ]
 
 
@@ -1059,6 +1060,7 @@ STRUCTS = {
         ("struct_size", "struct_size", "uint32_t", (), ""),
         ("reserved", "reserved", "uint32_t", (), ""),
         ("cancel", "handle", "mien_cancel", (), ""),
+        ("band_limit", "scalar", "int64_t", (), ""),
     ),
     "mien_network_evaluation_options": (
         ("struct_size", "struct_size", "uint32_t", (), ""),
@@ -2601,6 +2603,33 @@ FUNCTIONS = {
         ("face", "handle", "mien_mesh", (), False, ""),
         ("options", "struct", "mien_network_options", (), True, ""),
         ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_network_get_bands": (ctypes.c_int32, (), (
+        ("network", "handle", "mien_network", (), False, ""),
+        ("low_code_count", "scalar_out", "uint64_t", (), True, ""),
+        ("band_limit", "scalar_out", "int64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_network_mix": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("network", "handle", "mien_network", (), False, ""),
+        ("a", "handle", "mien_mesh", (), False, ""),
+        ("b", "handle", "mien_mesh", (), False, ""),
+        ("low_weight", "scalar", "double", (), False, ""),
+        ("high_weight", "scalar", "double", (), False, ""),
+        ("options", "struct", "mien_network_options", (), True, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_network_sample": (ctypes.c_int32, (), (
+        ("network", "handle", "mien_network", (), False, ""),
+        ("seed", "scalar", "uint64_t", (), False, ""),
+        ("number", "scalar", "uint64_t", (), False, ""),
+        ("spread", "scalar", "double", (), False, ""),
+        ("dst", "array_out", "double", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
         ("error", "error", "mien_error", (), True, ""),
     )),
     "mien_network_evaluate": (ctypes.c_int32, ('session',), (

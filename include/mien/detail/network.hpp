@@ -54,10 +54,39 @@ class Network {
                                  std::uint64_t{code.size()},
                                  motion != nullptr ? motion->data() : nullptr, &options);
     }
-    /// decode(encode(face)) in the frame of the face.
-    Mesh apply(const Session& session, const Mesh& face, mien_cancel* cancel = nullptr) const {
-        const mien_network_options options = options_of(cancel);
+    /// decode(encode(face)) in the frame of the face; of a network that adds an expression: the
+    /// face with it, `band_limit` as in mien_network_options.
+    Mesh apply(const Session& session, const Mesh& face, mien_cancel* cancel = nullptr,
+               std::int64_t band_limit = 0) const {
+        mien_network_options options = options_of(cancel);
+        options.band_limit = band_limit;
         return detail::make_mesh(mien_network_apply, session.get(), get(), face.get(), &options);
+    }
+    /// Numbers of the low band's code, which come first; all without bands.
+    std::uint64_t low_code_count() const {
+        std::uint64_t count = 0;
+        detail::call(mien_network_get_bands, get(), &count, nullptr);
+        return count;
+    }
+    /// Modes of the low band; -1 without bands.
+    std::int64_t band_limit() const {
+        std::int64_t limit = 0;
+        detail::call(mien_network_get_bands, get(), nullptr, &limit);
+        return limit;
+    }
+    /// Each band of a moved towards b's by its own weight, in the frame of a.
+    Mesh mix(const Session& session, const Mesh& a, const Mesh& b, double low_weight,
+             double high_weight, mien_cancel* cancel = nullptr) const {
+        const mien_network_options options = options_of(cancel);
+        return detail::make_mesh(mien_network_mix, session.get(), get(), a.get(), b.get(),
+                                 low_weight, high_weight, &options);
+    }
+    /// The code of a made-up face.
+    std::vector<double> sample(std::uint64_t seed, std::uint64_t number, double spread = 1) const {
+        std::vector<double> code(static_cast<std::size_t>(code_count()));
+        detail::call(mien_network_sample, get(), seed, number, spread, code.data(),
+                     std::uint64_t{code.size()}, nullptr);
+        return code;
     }
     struct Evaluation {
         bool neutral_only = false, perceptual = true;

@@ -38,7 +38,7 @@ TEST(NetworkFile, KeepsEveryNumberOfEveryOperator) {
             const auto read = Network::load(path, {}, {});
             EXPECT_EQ(read->encode(face, nullptr, {}), network->encode(face, nullptr, {}));
             EXPECT_EQ(read->apply(face, {}), network->apply(face, {}));
-            EXPECT_EQ(network_json(*read), network_json(*network));
+            EXPECT_EQ(read->json(), network->json());
             EXPECT_EQ(read->origin().name, network_operator_name(op));
         }
 }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "base/random.hpp"
+#include "learning/band_network.hpp"
+#include "learning/displacement_features.hpp"
 #include "learning/network.hpp"
 #include "learning/network_builder.hpp"
 #include "unit/spectral/shapes.hpp"
@@ -172,6 +174,66 @@ inline std::shared_ptr<const Network> small_network(const TriMesh& mesh, Network
     NetworkLayers layers = build_network(features->mean(), options, {});
     return Network::make(std::move(layers), features, nullptr,
                          {network_operator_name(op), "{\"epochs\":0}"}, {});
+}
+
+/// Two untrained autoencoders over the bands of a template's faces.
+inline std::shared_ptr<const BandNetwork> small_bands(const TriMesh& mesh, NetworkOperator op,
+                                                      double conditioning = 1,
+                                                      CodeDistribution codes = {}) {
+    BandFeatureOptions bands;
+    bands.band_limit = 12;
+    const auto features = BandFeatures::train(mesh.triangles, face_source(mesh, 6), bands, {});
+    const auto part = [&](const std::shared_ptr<const FaceFeatures>& of) {
+        NetworkOptions options;
+        options.op = op;
+        options.channels_in = options.channels_out = of->num_channels();
+        options.latent = 24;
+        options.conditioned = true;
+        options.variational = false;
+        return Network::make(build_network(features->mean(), options, {}), of, nullptr,
+                             {"part", ""}, {});
+    };
+    return BandNetwork::make({part(features->shared_low()), part(features->shared_high()),
+                              features->basis(), BandTask::faces, 12, conditioning},
+                             {"bands", "{\"epochs\":0}"}, std::move(codes));
+}
+
+/// Neutral faces and the same people with a bump.
+inline FacePairs face_pairs(const TriMesh& mesh, Index count) {
+    FacePairs pairs;
+    pairs.count = count;
+    pairs.pair = [&mesh, source = face_source(mesh, count)](Index k, Points& neutral,
+                                                            Points& expression) {
+        source.face(k, neutral);
+        expression = neutral;
+        const double strength = 2 + noise(static_cast<std::uint64_t>(500 + k));
+        for (Index v = 0; v < neutral.rows(); ++v)
+            expression(v, 2) += strength * std::exp(-neutral.row(v).squaredNorm() / 2000);
+    };
+    return pairs;
+}
+
+/// An untrained network from neutral faces to displacements of a kind.
+inline std::shared_ptr<const Network> small_displacement(const TriMesh& mesh, FeatureKind kind) {
+    const auto input = FaceFeatures::train(mesh.triangles, face_source(mesh, 6), kind, {});
+    const auto output =
+        train_displacements(*input, face_pairs(mesh, 6), kind, FeatureSpread::per_channel, {});
+    NetworkOptions options;
+    options.channels_in = input->num_channels();
+    options.channels_out = output->num_channels();
+    options.latent = 24;
+    return Network::make(build_network(input->mean(), options, {}), input, output,
+                         {"displacement", ""}, {}, NetworkTask::displacement);
+}
+
+inline std::shared_ptr<const BandNetwork> small_expression(const TriMesh& mesh, Index band_limit) {
+    const auto low = small_displacement(mesh, FeatureKind::euclidean_standardised);
+    const auto high = small_displacement(mesh, FeatureKind::deformation_normalised);
+    SpectralBasisOptions options;
+    options.num_modes = 20;
+    return BandNetwork::make({low, high, build_spectral_basis(low->mean(), options, {}),
+                              BandTask::expression, band_limit, 1},
+                             {"grin", ""});
 }
 
 }  // namespace mien::test

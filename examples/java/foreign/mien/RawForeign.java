@@ -1115,6 +1115,21 @@ final class RawForeign implements Raw {
         try { return (int) mien_network_apply.invokeExact(session, network, face, options, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
     }
 
+    private final MethodHandle mien_network_get_bands = library.find("mien_network_get_bands", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_network_get_bands(long network, long lowCodeCount, long bandLimit, long error) {
+        try { return (int) mien_network_get_bands.invokeExact(network, lowCodeCount, bandLimit, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_network_mix = library.find("mien_network_mix", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_DOUBLE, JAVA_DOUBLE, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_network_mix(long session, long network, long a, long b, double lowWeight, double highWeight, long options, long out, long error) {
+        try { return (int) mien_network_mix.invokeExact(session, network, a, b, lowWeight, highWeight, options, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_network_sample = library.find("mien_network_sample", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_DOUBLE, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_network_sample(long network, long seed, long number, double spread, long dst, long capacity, long count, long error) {
+        try { return (int) mien_network_sample.invokeExact(network, seed, number, spread, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
     private final MethodHandle mien_network_evaluate = library.find("mien_network_evaluate", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
     @Override public int mien_network_evaluate(long session, long network, long datasetPath, long options, long dst, long capacity, long count, long error) {
         try { return (int) mien_network_evaluate.invokeExact(session, network, datasetPath, options, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
