@@ -25,7 +25,7 @@ Json load(const fs::path& path) {
 
 /// Paths of the data are made absolute against the file that names them.
 void anchor_paths(Json& section, const fs::path& folder) {
-    for (const char* key : {"faces", "split"})
+    for (const char* key : {"faces", "split", "oracle"})
         if (section.contains(key) && section[key].is_string()) {
             const fs::path given = fs::u8path(section[key].get<std::string>());
             section[key] =
@@ -84,6 +84,30 @@ class Section {
     std::string known_;
 };
 
+/// Gives the kind's name; `label`: the name that the configuration wants instead.
+std::string read_representation(const Json& text, Configuration& c, std::string& label) {
+    Section representation(text, "representation");
+    std::string kind = "euclidean", spread = "per_vertex";
+    representation.read("kind", kind);
+    representation.read("spread", spread);
+    representation.read("name", label);
+    std::string low = feature_kind_name(c.low_kind), high = feature_kind_name(c.high_kind);
+    representation.read("band_limit", c.band_limit);
+    representation.read("conditioning", c.training.conditioning);
+    representation.read("low", low);
+    representation.read("high", high);
+    representation.finish();
+    c.bands = kind == "bands";
+    if (!c.bands) c.representation = feature_kind(kind);
+    c.low_kind = feature_kind(low);
+    c.high_kind = feature_kind(high);
+    if (spread != "per_vertex" && spread != "per_channel")
+        fail(Status::bad_format,
+             "representation.spread is %.40s; known are per_vertex, per_channel", spread.c_str());
+    c.spread = spread == "per_vertex" ? FeatureSpread::per_vertex : FeatureSpread::per_channel;
+    return kind;
+}
+
 Configuration configuration_of(const Json& text) {
     Configuration c;
     c.text = text;
@@ -91,21 +115,14 @@ Configuration configuration_of(const Json& text) {
     data.read("faces", c.data.faces);
     data.read("split", c.data.split);
     data.read("neutral", c.data.neutral);
+    data.read("expression", c.data.expression);
+    data.read("oracle", c.data.oracle);
     data.finish();
     if (c.data.faces.empty() || c.data.split.empty())
         fail(Status::bad_format, "a configuration needs data.faces and data.split");
 
-    Section representation(text, "representation");
-    std::string kind = "euclidean", spread = "per_vertex", label;
-    representation.read("kind", kind);
-    representation.read("spread", spread);
-    representation.read("name", label);
-    representation.finish();
-    c.representation = feature_kind(kind);
-    if (spread != "per_vertex" && spread != "per_channel")
-        fail(Status::bad_format,
-             "representation.spread is %.40s; known are per_vertex, per_channel", spread.c_str());
-    c.spread = spread == "per_vertex" ? FeatureSpread::per_vertex : FeatureSpread::per_channel;
+    std::string label;
+    const std::string kind = read_representation(text, c, label);
 
     Section model(text, "model");
     std::string op = "spiralnet++";
@@ -123,9 +140,16 @@ Configuration configuration_of(const Json& text) {
     model.read("residual_rate", m.residual_rate);
     model.read("reference_vertex", m.reference_vertex);
     model.read("variational", m.variational);
+    model.read("two_step", c.two_step);
     model.finish();
-    c.pca = op == "pca";
-    if (!c.pca) m.op = network_operator(op);
+    const bool expression = !c.data.expression.empty();
+    const auto is_op = [&](const char* name) { return op == name; };
+    if (expression && std::any_of(std::begin(kRivals), std::end(kRivals), is_op)) c.rival = op;
+    c.pca = op == "pca" && !expression;
+    if (!c.pca && c.rival.empty()) m.op = network_operator(op);
+    if (c.two_step && (!expression || c.bands))
+        fail(Status::bad_format,
+             "model.two_step is of networks to one data.expression, in one representation");
 
     Section experiment(text, "experiment");
     TrainingSettings& t = c.training;
@@ -142,7 +166,10 @@ Configuration configuration_of(const Json& text) {
     experiment.read("accelerator", t.accelerator);
     experiment.finish();
     m.seed = t.seed;
-    c.name = op + "-" + (label.empty() ? kind : label);
+    c.name = op;
+    if (c.rival.empty()) c.name += "-" + (label.empty() ? kind : label);
+    if (c.two_step) c.name += "-two-step";
+    if (expression) c.name += "-" + c.data.expression;
     return c;
 }
 
@@ -197,6 +224,10 @@ Plan read_plan(const std::string& path, const std::vector<std::string>& override
             if (plan.table && text.contains("model")) one["model"].merge_patch(text["model"]);
             if (plan.table && text.contains("representation"))
                 one["representation"].merge_patch(text["representation"]);
+            // Assembly takes end-to-end networks: of this pair there is no row.
+            if (plan.table && one["model"].value("two_step", false) &&
+                one["representation"].value("kind", "") == "bands")
+                continue;
             plan.configurations.push_back(configuration_of(one));
         }
     for (std::size_t k = 0; k < plan.configurations.size(); ++k)

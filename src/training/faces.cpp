@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <Eigen/Eigenvalues>
+#include <map>
 #include <set>
 
 #include "base/error.hpp"
@@ -31,25 +32,54 @@ std::vector<std::int32_t> read_people(const JsonTree::Value& list, const std::st
     return people;
 }
 
+void append(std::vector<float>& values, const Features& f) {
+    for (Index i = 0; i < f.size(); ++i) values.push_back(static_cast<float>(f.data()[i]));
+}
+
+/// No faces yet, whose errors are weighed by what one unit of `output` is worth: restore() is
+/// affine in every feature.
+TrainingData no_faces(Index faces, const FaceFeatures& input, const FaceFeatures& output) {
+    TrainingData out;
+    out.faces = faces;
+    out.rows = input.num_vertices();
+    out.channels = input.num_channels();
+    out.input.reserve(static_cast<std::size_t>(out.faces * out.rows * out.channels));
+    append(out.scale, output.restore(Features::Ones(out.rows, output.num_channels())) -
+                          output.restore(Features::Zero(out.rows, output.num_channels())));
+    return out;
+}
+
 TrainingData data_of(const FaceDataset& data, const std::vector<Index>& faces,
                      const FaceFeatures& features, const Context& context) {
-    TrainingData out;
-    out.faces = static_cast<Index>(faces.size());
-    out.rows = features.num_vertices();
-    out.channels = features.num_channels();
-    out.input.reserve(static_cast<std::size_t>(out.faces * out.rows * out.channels));
+    TrainingData out = no_faces(static_cast<Index>(faces.size()), features, features);
     Points face;
     for (const Index k : faces) {
         data.face(k, face);
-        const Features f = features.encode(face, nullptr, context);
-        for (Index i = 0; i < f.size(); ++i) out.input.push_back(static_cast<float>(f.data()[i]));
+        append(out.input, features.encode(face, nullptr, context));
     }
-    // restore() is affine in every feature: what one unit is worth.
-    const Features zero = Features::Zero(out.rows, out.channels);
-    const Features unit =
-        features.restore(Features::Ones(out.rows, out.channels)) - features.restore(zero);
-    for (Index i = 0; i < unit.size(); ++i) out.scale.push_back(static_cast<float>(unit.data()[i]));
     return out;
+}
+
+/// Both lists of faces; the second may be empty (an empty list of people means nobody here).
+std::pair<std::vector<Index>, std::vector<Index>> faces_of_split(const FaceDataset& data,
+                                                                 const SubjectSplit& split,
+                                                                 bool neutral_only) {
+    std::pair<std::vector<Index>, std::vector<Index>> faces;
+    faces.first = chosen_faces(data, split.training, neutral_only);
+    if (faces.first.empty())
+        fail(Status::not_found, "the dataset has no face of the training people");
+    if (!split.validation.empty())
+        faces.second = chosen_faces(data, split.validation, neutral_only);
+    return faces;
+}
+
+FaceSource source_of(const FaceDataset& data, const std::vector<Index>& faces) {
+    FaceSource source;
+    source.count = static_cast<Index>(faces.size());
+    source.face = [&](Index k, Points& face) {
+        data.face(faces[static_cast<std::size_t>(k)], face);
+    };
+    return source;
 }
 
 }  // namespace
@@ -110,20 +140,94 @@ void write_split(const std::string& path, const SubjectSplit& split) {
 
 PreparedFaces prepare_faces(const FaceDataset& data, const SubjectSplit& split, bool neutral_only,
                             FeatureKind kind, FeatureSpread spread, const Context& context) {
-    const std::vector<Index> training = chosen_faces(data, split.training, neutral_only);
-    if (training.empty()) fail(Status::not_found, "the dataset has no face of the training people");
-    FaceSource source;
-    source.count = static_cast<Index>(training.size());
-    source.face = [&](Index k, Points& face) {
-        data.face(training[static_cast<std::size_t>(k)], face);
-    };
+    const auto [training, validation] = faces_of_split(data, split, neutral_only);
     PreparedFaces faces;
-    faces.features = FaceFeatures::train(data.triangles(), source, kind, spread, context);
+    faces.features =
+        FaceFeatures::train(data.triangles(), source_of(data, training), kind, spread, context);
     faces.training = data_of(data, training, *faces.features, context);
-    std::vector<Index> validation;  // an empty list of people means nobody here
-    if (!split.validation.empty()) validation = chosen_faces(data, split.validation, neutral_only);
     faces.validation = data_of(data, validation, *faces.features, context);
     return faces;
+}
+
+PreparedBands prepare_bands(const FaceDataset& data, const SubjectSplit& split, bool neutral_only,
+                            const BandFeatureOptions& options, const Context& context) {
+    const auto [training, validation] = faces_of_split(data, split, neutral_only);
+    PreparedBands bands;
+    bands.features =
+        BandFeatures::train(data.triangles(), source_of(data, training), options, context);
+    const FaceFeatures &low = bands.features->low(), &high = bands.features->high();
+    Points face;
+    const auto fill = [&](const std::vector<Index>& faces, TrainingData& of_low,
+                          TrainingData& of_high) {
+        of_low = no_faces(static_cast<Index>(faces.size()), low, low);
+        of_high = no_faces(static_cast<Index>(faces.size()), high, high);
+        for (const Index k : faces) {
+            data.face(k, face);
+            const BandFeatures::Pair pair = bands.features->encode(face, nullptr, context);
+            append(of_low.input, pair.low);
+            append(of_high.input, pair.high);
+        }
+    };
+    fill(training, bands.low_training, bands.high_training);
+    fill(validation, bands.low_validation, bands.high_validation);
+    return bands;
+}
+
+FacePairs expression_pairs(const FaceDataset& data, const std::vector<std::int32_t>& people,
+                           const std::string& expression) {
+    const std::vector<std::string>& names = data.expression_names();
+    const auto name = std::find(names.begin(), names.end(), expression);
+    if (name == names.end())
+        fail(Status::not_found, "the dataset has no expression '%.60s'", expression.c_str());
+    const auto wanted = static_cast<std::int32_t>(name - names.begin());
+    std::map<std::int32_t, std::pair<Index, Index>> places;  // of the neutral face, of the other
+    for (Index k = 0; k < data.num_faces(); ++k) {
+        if (std::find(people.begin(), people.end(), data.subject(k)) == people.end()) continue;
+        auto& place = places.try_emplace(data.subject(k), -1, -1).first->second;
+        if (data.expression(k) == data.neutral_expression()) place.first = k;
+        if (data.expression(k) == wanted) place.second = k;
+    }
+    std::vector<std::pair<Index, Index>> found;
+    for (const auto& entry : places)
+        if (entry.second.first >= 0 && entry.second.second >= 0) found.push_back(entry.second);
+    if (found.empty())
+        fail(Status::not_found, "nobody listed has a neutral face and '%.60s'", expression.c_str());
+    FacePairs pairs;
+    pairs.count = static_cast<Index>(found.size());
+    pairs.pair = [&data, found](Index k, Points& neutral, Points& face) {
+        data.face(found[static_cast<std::size_t>(k)].first, neutral);
+        data.face(found[static_cast<std::size_t>(k)].second, face);
+    };
+    return pairs;
+}
+
+PreparedExpression prepare_expression(const FaceDataset& data, const SubjectSplit& split,
+                                      const std::string& expression, FeatureKind kind,
+                                      FeatureSpread spread, const Context& context) {
+    const FacePairs training = expression_pairs(data, split.training, expression);
+    FaceSource neutrals;
+    neutrals.count = training.count;
+    Points neutral, face;
+    neutrals.face = [&](Index k, Points& into) { training.pair(k, into, face); };
+    PreparedExpression prepared;
+    prepared.input = FaceFeatures::train(data.triangles(), neutrals, kind, spread, context);
+    prepared.output = train_displacements(*prepared.input, training, kind, spread, context);
+    const auto fill = [&](const FacePairs& pairs, TrainingData& out) {
+        out = no_faces(pairs.count, *prepared.input, *prepared.output);
+        for (Index k = 0; k < pairs.count; ++k) {
+            pairs.pair(k, neutral, face);
+            Similarity motion;
+            append(out.input, prepared.input->encode(neutral, &motion, context));
+            append(out.output,
+                   prepared.output->prepare(raw_displacement(
+                       *prepared.output, motion.apply(neutral), motion.apply(face), context)));
+        }
+    };
+    fill(training, prepared.training);
+    prepared.validation = no_faces(0, *prepared.input, *prepared.output);
+    if (!split.validation.empty())
+        fill(expression_pairs(data, split.validation, expression), prepared.validation);
+    return prepared;
 }
 
 void decimate_dataset(const FaceDataset& data, Index vertices, const std::string& path,

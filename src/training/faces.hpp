@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "learning/face_features.hpp"
+#include "learning/band_features.hpp"
+#include "learning/displacement_features.hpp"
 #include "mesh/dataset.hpp"
 #include "training/trainer.hpp"
 
@@ -28,6 +29,29 @@ struct PreparedFaces {
 };
 PreparedFaces prepare_faces(const FaceDataset& data, const SubjectSplit& split, bool neutral_only,
                             FeatureKind kind, FeatureSpread spread, const Context& context);
+
+/// Two bands of every face, in the same order.
+struct PreparedBands {
+    std::shared_ptr<const BandFeatures> features;
+    TrainingData low_training, low_validation, high_training, high_validation;
+};
+PreparedBands prepare_bands(const FaceDataset& data, const SubjectSplit& split, bool neutral_only,
+                            const BandFeatureOptions& options, const Context& context);
+
+/// The neutral faces of people and their faces with one expression; people without either are left
+/// out. Throws Status::not_found for an expression that the dataset has not, or when nobody is
+/// left. `data` must live as long as the pairs.
+FacePairs expression_pairs(const FaceDataset& data, const std::vector<std::int32_t>& people,
+                           const std::string& expression);
+
+/// From neutral faces to displacements of one expression, both in one kind of features.
+struct PreparedExpression {
+    std::shared_ptr<const FaceFeatures> input, output;
+    TrainingData training, validation;
+};
+PreparedExpression prepare_expression(const FaceDataset& data, const SubjectSplit& split,
+                                      const std::string& expression, FeatureKind kind,
+                                      FeatureSpread spread, const Context& context);
 
 /// The dataset on a coarser template: quadric collapse of its mean face to about `vertices`.
 void decimate_dataset(const FaceDataset& data, Index vertices, const std::string& path,

@@ -38,9 +38,7 @@ int run_plan(const std::string& path, const std::vector<std::string>& overrides)
                      "mien-train: matrix products run at %.1f GFLOP/s; training will be slow. On "
                      "Debian install libopenblas0-pthread\n",
                      speed);
-    std::vector<Configuration> all = plan.configurations;
-    const auto is_pca = [](const Configuration& c) { return c.pca; };
-    if (std::none_of(all.begin(), all.end(), is_pca)) all.insert(all.begin(), pca_of(all.front()));
+    const std::vector<Configuration> all = with_rivals(plan.configurations);
     std::vector<nlohmann::json> rows;
     for (std::size_t k = 0; k < all.size(); ++k) {
         std::fprintf(stderr, "%zu of %zu: %s\n", k + 1, all.size(), all[k].name.c_str());
@@ -50,7 +48,9 @@ int run_plan(const std::string& path, const std::vector<std::string>& overrides)
             return 3;
         }
     }
-    const nlohmann::json table = finish_table(std::move(rows));
+    nlohmann::json table = finish_table(std::move(rows));
+    if (const std::string oracle = oracle_text(all.front().data); !oracle.empty())
+        table["findings"].push_back(oracle);
     const std::filesystem::path folder = std::filesystem::u8path(plan.out);
     write_text(folder / "table.txt", table_text(table));
     write_text(folder / "table.json", table.dump(1) + "\n");

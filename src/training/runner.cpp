@@ -1,16 +1,12 @@
 #include "training/runner.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 
 #include "base/error.hpp"
 #include "base/file.hpp"
-#include "learning/network.hpp"
-#include "learning/network_evaluation.hpp"
-#include "training/faces.hpp"
+#include "training/runs.hpp"
 
 namespace mien::training {
 namespace {
@@ -18,15 +14,46 @@ namespace {
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
-void write_text(const fs::path& path, const std::string& text) {
-    AtomicFile file(path.u8string());
+Json face_errors(const RunContext& context, const FaceNetwork& network,
+                 const std::vector<std::int32_t>& people) {
+    const auto reconstruct = [&](const Points& face) { return network.apply(face, {}); };
+    return errors_json(
+        reconstruction_errors(
+            context.data, chosen_faces(context.data, people, context.configuration.data.neutral),
+            reconstruct, true, {}),
+        network.scale_mm());
+}
+
+Json run_faces(const RunContext& context) {
+    const Configuration& c = context.configuration;
+    const MadeNetworks made = make_face_networks(context);
+    if (made.last == nullptr) return nullptr;
+    made.last->save(context.room + "network.safetensors", {});
+    made.best->save(context.room + "best.safetensors", {});
+    Json row = row_head(c);
+    row.update({{"code", made.last->code_size()},
+                {"weights", Json::parse(made.last->json())["weights"]},
+                {"scale_mm", made.last->scale_mm()},
+                {"training", face_errors(context, *made.last, context.split.training)},
+                {"test", face_errors(context, *made.last, context.split.test)},
+                {"test_best", face_errors(context, *made.best, context.split.test)},
+                {"run", made.run}});
+    if (c.bands)
+        row["bands"] = band_measures(*made.last, context.data,
+                                     chosen_faces(context.data, context.split.test, true));
+    return row;
+}
+
+}  // namespace
+
+void write_run_text(const std::string& path, const std::string& text) {
+    AtomicFile file(path);
     file.write(text);
     file.commit();
 }
 
-Json errors_of(const ReconstructionErrors& errors, double scale_mm) {
+Json errors_json(const ReconstructionErrors& errors, double scale_mm) {
     const double l1 = ReconstructionErrors::mean(errors.l1_mm);
-    // As kosk-2024 prints it: mean over the coordinates, of faces scaled into [-1, 1].
     return {{"faces", errors.l1_mm.size()},
             {"l1_mm", l1},
             {"l2_mm", ReconstructionErrors::mean(errors.l2_mm)},
@@ -35,67 +62,20 @@ Json errors_of(const ReconstructionErrors& errors, double scale_mm) {
             {"fmpd", ReconstructionErrors::mean(errors.fmpd)}};
 }
 
-std::string minutes(double seconds) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.0f:%02.0f", std::floor(seconds / 60),
-                  std::floor(std::fmod(seconds, 60)));
-    return text;
+Json row_head(const Configuration& c) {
+    std::string model = c.pca ? "pca" : c.rival;
+    if (model.empty()) model = network_operator_name(c.model.op);
+    if (c.two_step) model += " two-step";
+    Json row = {{"configuration", c.text}, {"name", c.name}, {"model", model}};
+    row["representation"] = c.bands ? "bands" : feature_kind_name(c.representation);
+    row["spread"] = c.spread == FeatureSpread::per_vertex ? "per_vertex" : "per_channel";
+    return row;
 }
-
-struct Evaluated {
-    const FaceDataset& data;
-    const DataChoice& choice;
-    const SubjectSplit& split;
-
-    Json errors(const Network& network, const std::vector<std::int32_t>& people) const {
-        const auto reconstruct = [&](const Points& face) { return network.apply(face, {}); };
-        return errors_of(reconstruction_errors(data, chosen_faces(data, people, choice.neutral),
-                                               reconstruct, true, {}),
-                         network.input().scale_mm());
-    }
-};
-
-/// Trains and gives what the row says about it; the two networks come back by reference.
-Json train_layers(const Configuration& c, const PreparedFaces& faces, const std::string& state,
-                  const std::atomic<bool>& stop, NetworkLayers& last, NetworkLayers& best) {
-    NetworkOptions options = c.model;
-    options.channels_in = options.channels_out = faces.features->num_channels();
-    const NetworkLayers initial = build_network(faces.features->mean(), options, {});
-    const auto say = [&](const EpochRecord& record, double left) {
-        std::fprintf(stderr, "%s: epoch %d of %d, loss %.6f", c.name.c_str(), record.epoch,
-                     c.training.epochs, record.training_loss);
-        if (record.validation_loss >= 0)
-            std::fprintf(stderr, ", validation %.6f", record.validation_loss);
-        std::fprintf(stderr, ", %.1f s, %s left\n", record.seconds, minutes(left).c_str());
-    };
-    TrainingResult result =
-        train(initial, faces.training, faces.validation, c.training, state, say, stop);
-    if (!result.finished) return nullptr;
-    Json losses = Json::array();
-    double seconds = 0;
-    for (const EpochRecord& record : result.epochs) {
-        losses.push_back({record.training_loss, record.validation_loss});
-        seconds += record.seconds;
-    }
-    last = std::move(result.last);
-    best = std::move(result.best);
-    for (NetworkLayers* layers : {&last, &best}) {  // the variance has served
-        for (const NetworkLayer& layer : layers->variance)
-            for (const auto& entry : layer.tensors)
-                if (is_trained_role(layer.kind, entry.first)) layers->tensors.erase(entry.second);
-        layers->variance.clear();
-    }
-    return {{"epochs", c.training.epochs},
-            {"best_epoch", result.best_epoch},
-            {"seconds", seconds},
-            {"losses", losses}};
-}
-
-}  // namespace
 
 Configuration pca_of(const Configuration& configuration) {
     Configuration pca = configuration;
     pca.pca = true;
+    pca.bands = false;
     pca.name = "pca-euclidean";
     pca.representation = FeatureKind::euclidean;
     pca.spread = FeatureSpread::per_vertex;
@@ -103,6 +83,31 @@ Configuration pca_of(const Configuration& configuration) {
     pca.text["representation"] = {{"kind", "euclidean"}};
     pca.text["experiment"] = Json::object();
     return pca;
+}
+
+std::vector<Configuration> with_rivals(std::vector<Configuration> all) {
+    std::vector<Configuration> rivals;
+    const Configuration& first = all.front();
+    if (first.data.expression.empty()) {
+        if (std::none_of(all.begin(), all.end(), [](const auto& c) { return c.pca; }))
+            rivals.push_back(pca_of(first));
+    } else {
+        for (const char* name : kRivals) {
+            if (std::any_of(all.begin(), all.end(), [&](const auto& c) { return c.rival == name; }))
+                continue;
+            Configuration rival = first;
+            rival.rival = name;
+            rival.bands = rival.two_step = false;
+            rival.representation = FeatureKind::euclidean;
+            rival.name = std::string(name) + "-" + first.data.expression;
+            rival.text["model"] = {{"operator", name}, {"latent", first.model.latent}};
+            rival.text["representation"] = {{"kind", "euclidean"}};
+            rival.text["experiment"] = Json::object();
+            rivals.push_back(rival);
+        }
+    }
+    all.insert(all.begin(), rivals.begin(), rivals.end());
+    return all;
 }
 
 Json run_configuration(const Configuration& c, const std::string& folder,
@@ -117,36 +122,9 @@ Json run_configuration(const Configuration& c, const std::string& folder,
     }
     const FaceDataset data = FaceDataset::open(c.data.faces, {}, {});
     const SubjectSplit split = read_split(c.data.split);
-    const PreparedFaces faces =
-        prepare_faces(data, split, c.data.neutral, c.representation, c.spread, {});
-    NetworkLayers last, best;
-    Json training = Json::object();
-    if (c.pca) {
-        last = best = pca_network(faces.training, c.model.latent);
-    } else {
-        training =
-            train_layers(c, faces, (room / "state.safetensors").u8string(), stop, last, best);
-        if (training.is_null()) return nullptr;
-    }
-    const NetworkOrigin origin{c.pca ? "pca" : c.name, c.text.dump()};
-    const auto network = Network::make(std::move(last), faces.features, nullptr, origin, {});
-    const auto best_network = Network::make(std::move(best), faces.features, nullptr, origin, {});
-    network->save((room / "network.safetensors").u8string(), {});
-    best_network->save((room / "best.safetensors").u8string(), {});
-    const Evaluated evaluated{data, c.data, split};
-    Json row = {{"name", c.name},
-                {"model", c.pca ? "pca" : network_operator_name(c.model.op)},
-                {"representation", feature_kind_name(c.representation)},
-                {"spread", c.spread == FeatureSpread::per_vertex ? "per_vertex" : "per_channel"},
-                {"code", network->code_size()},
-                {"weights", network->num_weights()},
-                {"scale_mm", faces.features->scale_mm()},
-                {"training", evaluated.errors(*network, split.training)},
-                {"test", evaluated.errors(*network, split.test)},
-                {"test_best", evaluated.errors(*best_network, split.test)},
-                {"run", training},
-                {"configuration", c.text}};
-    write_text(result_path, row.dump(1) + "\n");
+    const RunContext context{c, data, split, folder, (room / "").u8string(), stop};
+    const Json row = c.data.expression.empty() ? run_faces(context) : run_expression(context);
+    if (!row.is_null()) write_run_text(result_path.u8string(), row.dump(1) + "\n");
     return row;
 }
 

@@ -1,7 +1,10 @@
 // The table of a platform run, with what it says in words.
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
 
+#include "base/error.hpp"
 #include "training/runner.hpp"
 
 namespace mien::training {
@@ -71,17 +74,85 @@ Json orders(const Json& rows) {
     return said;
 }
 
+/// Rows without training: they are not on the networks' own front.
+bool is_rival(const Json& row) {
+    if (row["model"] == "pca") return true;
+    return std::any_of(std::begin(kRivals), std::end(kRivals),
+                       [&](const char* name) { return row["model"] == name; });
+}
+
 void mark_fronts(Json& rows) {
     for (Json& row : rows)
         for (const bool networks_only : {false, true}) {
             const bool beaten = std::any_of(rows.begin(), rows.end(), [&](const Json& other) {
-                if (networks_only && other["model"] == "pca") return false;
+                if (networks_only && is_rival(other)) return false;
                 const double l1 = test_of(other, "l1_mm"), dame = test_of(other, "dame");
                 return l1 <= test_of(row, "l1_mm") && dame <= test_of(row, "dame") &&
                        (l1 < test_of(row, "l1_mm") || dame < test_of(row, "dame"));
             });
             row[networks_only ? "on_front_of_networks" : "on_front"] = !beaten;
         }
+}
+
+std::string percent(double now, double before) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%+.1f %%", 100 * (now / before - 1));
+    return text;
+}
+
+/// Deep Spectral Meshes against single networks of the same operator (tables 4.2, 4.3), and what
+/// the pictures of the thesis show, in numbers (4.17 to 4.19).
+void say_bands(const Json& rows, Json& said) {
+    for (const Json& row : rows) {
+        if (row["representation"] != "bands" || row.contains("expression")) continue;
+        const std::string name = row["name"];
+        std::string text = name + ": two bands are " +
+                           (row["on_front_of_networks"].get<bool>() ? "" : "not ") +
+                           "on the networks' front of L1 and DAME";
+        for (const char* single : {"euclidean_standardised", "deformation_normalised"})
+            if (const Json* other = find_row(rows, row["model"], single))
+                text += std::string("; against ") + single + " L1 " +
+                        percent(test_of(row, "l1_mm"), test_of(*other, "l1_mm")) + ", DAME " +
+                        percent(test_of(row, "dame"), test_of(*other, "dame"));
+        said.push_back(text);
+        if (!row.contains("bands") || row["bands"].is_null()) continue;
+        const Json& bands = row["bands"];
+        char line[300];
+        std::snprintf(
+            line, sizeof line,
+            "%s: exchanging the low codes of two people moves the low band by %.3f mm and "
+            "the high one by %.3f mm; half-way faces are %.3f as rough as their parents by "
+            "the network, %.3f by coordinates",
+            name.c_str(), bands["low_edit_moves_low_mm"].get<double>(),
+            bands["low_edit_moves_high_mm"].get<double>(),
+            bands["halfway_roughness_network"].get<double>(),
+            bands["halfway_roughness_coordinates"].get<double>());
+        said.push_back(line);
+    }
+}
+
+/// Spectral assembly against the coordinates' network, networks against rivals (table 5.2).
+void say_expressions(const Json& rows, Json& said) {
+    for (const Json& row : rows) {
+        if (!row.contains("expression") || is_rival(row)) continue;
+        const std::string name = row["name"];
+        if (row["representation"] == "bands") {
+            const Json* single = find_row(rows, row["model"], "euclidean_standardised");
+            if (single != nullptr)
+                said.push_back(
+                    name + ": spectral assembly at k = " + row["run"]["band_limit"].dump() +
+                    " changes the coordinate network's FMPD by " +
+                    percent(test_of(row, "fmpd"), test_of(*single, "fmpd")) + " and its L1 by " +
+                    percent(test_of(row, "l1_mm"), test_of(*single, "l1_mm")));
+        }
+        for (const char* rival : {"ridge", "banded-regression"})
+            for (const Json& other : rows)
+                if (other["model"] == rival)
+                    said.push_back(name + " against " + rival + ": L1 " +
+                                   percent(test_of(row, "l1_mm"), test_of(other, "l1_mm")) +
+                                   ", DAME " +
+                                   percent(test_of(row, "dame"), test_of(other, "dame")));
+    }
 }
 
 }  // namespace
@@ -93,7 +164,7 @@ Json finish_table(std::vector<Json> given) {
     const Json* pca = find_row(rows, "pca", "euclidean");
     const Json* best = nullptr;
     for (const Json& row : rows)
-        if (row["model"] != "pca" &&
+        if (!is_rival(row) && !row.contains("expression") &&
             (best == nullptr || test_of(row, "l1_mm") < test_of(*best, "l1_mm")))
             best = &row;
     if (pca != nullptr && best != nullptr) {
@@ -108,8 +179,34 @@ Json finish_table(std::vector<Json> given) {
             (*best)["name"].get<std::string>().c_str(), (*best)["code"].get<int>());
         findings.push_back(text);
     }
-    for (const Json& order : orders(rows)) findings.push_back(order);
+    say_bands(rows, findings);
+    say_expressions(rows, findings);
+    const bool expressions = !rows.empty() && rows[0].contains("expression");
+    if (!expressions)
+        for (const Json& order : orders(rows)) findings.push_back(order);
     return {{"rows", rows}, {"findings", findings}};
+}
+
+std::string oracle_text(const DataChoice& data) {
+    if (data.oracle.empty()) return {};
+    std::ifstream in(std::filesystem::u8path(data.oracle));
+    const Json oracle = Json::parse(in, nullptr, false);
+    const Json* value = nullptr;
+    if (oracle.is_object() && data.expression.empty() && oracle.contains("neutral_l1_mm"))
+        value = &oracle["neutral_l1_mm"];
+    if (oracle.is_object() && oracle.contains("expressions_l1_mm") &&
+        oracle["expressions_l1_mm"].contains(data.expression))
+        value = &oracle["expressions_l1_mm"][data.expression];
+    if (value == nullptr || !value->is_number())
+        fail(Status::bad_format,
+             "%.150s: says nothing of %.60s; it is oracle.json of mien-demo-data",
+             data.oracle.c_str(),
+             data.expression.empty() ? "neutral faces" : data.expression.c_str());
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "best possible predictor of these faces, on the whole template: L1 %.4f mm",
+                  value->get<double>());
+    return text;
 }
 
 std::string table_text(const Json& table) {

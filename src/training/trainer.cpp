@@ -13,6 +13,7 @@
 #include "base/random.hpp"
 #include "base/safetensors.hpp"
 #include "base/sha256.hpp"
+#include "training/adam.hpp"
 #include "training/torch_network.hpp"
 
 namespace mien::training {
@@ -24,315 +25,407 @@ double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-// Streams of chance, apart from each other and from those of the initial weights.
-constexpr std::uint64_t kOrderStream = 0x6f72646572, kNoiseStream = 0x6e6f697365;
-
-/// The faces of an epoch in an order of its own: sorted by a random number each.
-std::vector<Index> order_of(std::uint64_t seed, int epoch, Index faces) {
-    const CounterRandom chance(seed ^ kOrderStream, static_cast<std::uint64_t>(epoch));
-    std::vector<std::pair<double, Index>> keys;
-    for (Index k = 0; k < faces; ++k)
-        keys.emplace_back(chance.uniform(static_cast<std::uint64_t>(k)), k);
-    std::sort(keys.begin(), keys.end());
-    std::vector<Index> order;
-    for (const auto& key : keys) order.push_back(key.second);
-    return order;
-}
-
-/// Kingma and Ba 2015, in the form of torch::optim::Adam, with a state that can be saved.
-class Adam {
-  public:
-    explicit Adam(const std::map<std::string, Tensor>& weights) : weights_(weights) {
-        for (const auto& [name, weight] : weights_) {
-            first_[name] = torch::zeros_like(weight);
-            second_[name] = torch::zeros_like(weight);
-        }
-    }
-    void clear_gradients() {
-        for (auto& entry : weights_)
-            if (entry.second.grad().defined()) entry.second.mutable_grad().zero_();
-    }
-    void step(double rate, double weight_decay) {
-        const torch::NoGradGuard no_gradient;
-        ++steps_;
-        const double fade_first = 1 - std::pow(kFirst, static_cast<double>(steps_));
-        const double fade_second = 1 - std::pow(kSecond, static_cast<double>(steps_));
-        for (auto& [name, weight] : weights_) {
-            if (!weight.grad().defined()) continue;
-            Tensor gradient = weight.grad();
-            if (weight_decay != 0) gradient = gradient + weight * weight_decay;
-            Tensor& first = first_[name];
-            Tensor& second = second_[name];
-            first.mul_(kFirst).add_(gradient, 1 - kFirst);
-            second.mul_(kSecond).addcmul_(gradient, gradient, 1 - kSecond);
-            const Tensor spread = (second / fade_second).sqrt_().add_(1e-8);
-            weight.addcdiv_(first, spread, -rate / fade_first);
-        }
-    }
-    std::map<std::string, Tensor>& first() { return first_; }
-    std::map<std::string, Tensor>& second() { return second_; }
-    std::int64_t steps() const { return steps_; }
-    void set_steps(std::int64_t steps) { steps_ = steps; }
-
-  private:
-    static constexpr double kFirst = 0.9, kSecond = 0.999;
-    std::map<std::string, Tensor> weights_, first_, second_;
-    std::int64_t steps_ = 0;
-};
-
-/// What a run must have in common with the one that its checkpoint came from.
-std::string fingerprint(const NetworkLayers& network, const TrainingData& training,
-                        const TrainingSettings& s) {
-    Sha256 hash;
-    const auto add = [&](const void* data, std::size_t size) { hash.update(data, size); };
-    const std::string layers = layers_json(network);
-    add(layers.data(), layers.size());
-    for (const auto& entry : network.tensors)
-        add(entry.second.data, static_cast<std::size_t>(entry.second.count()) * 4);
-    add(training.input.data(), training.input.size() * sizeof(float));
-    add(training.output.data(), training.output.size() * sizeof(float));
-    const double numbers[] = {
-        static_cast<double>(s.batch), s.learning_rate, s.decay, s.weight_decay, s.divergence,
-        static_cast<double>(s.seed)};
-    add(numbers, sizeof numbers);
-    return hash.hex_digest();
-}
-
-class Trainer {
-  public:
-    Trainer(const NetworkLayers& network, const TrainingData& training,
-            const TrainingData& validation, const TrainingSettings& settings)
-        : initial_(network),
-          training_(training),
-          validation_(validation),
-          settings_(settings),
-          device_(settings.accelerator ? torch::kCUDA : torch::kCPU),
-          model_(network, torch::kFloat32, device_),
-          adam_(model_.weights()) {
-        result_.last = result_.best = network;
-        input_ = all_faces(training.input, training, training.channels);
-        target_ =
-            training.output.empty() ? input_ : all_faces(training.output, training, channels_out());
-        scale_ = blob(training.scale, {1, training.rows, channels_out()}).to(device_);
+/// One network being trained, with all of its faces.
+struct Half {
+    Half(std::string prefix, const BandToTrain& band, const torch::Device& device)
+        : name(std::move(prefix)),
+          initial(band.network),
+          training(band.training),
+          validation(band.validation),
+          model(band.network, torch::kFloat32, device),
+          adam(model.weights()),
+          last(band.network),
+          best(band.network) {
+        input = faces_of(training.input, training, training.channels, device);
+        target = training.output.empty()
+                     ? input
+                     : faces_of(training.output, training, channels_out(), device);
+        scale = blob(training.scale, {1, training.rows, channels_out()}).to(device);
     }
 
-    TrainingResult run(const std::string& checkpoint, const EpochListener& listener,
-                       const std::atomic<bool>& stop) {
-        const std::string mark =
-            checkpoint.empty() ? "" : fingerprint(initial_, training_, settings_);
-        if (!checkpoint.empty() && std::filesystem::exists(checkpoint)) resume(checkpoint, mark);
-        const int first = static_cast<int>(result_.epochs.size());
-        double spent = 0;
-        for (int epoch = first; epoch < settings_.epochs; ++epoch) {
-            const Clock::time_point begin = Clock::now();
-            EpochRecord record = train_epoch(epoch, stop);
-            if (stop) return std::move(result_);  // the epoch is not whole: forgotten
-            const bool last = epoch + 1 == settings_.epochs;
-            if (validation_.faces > 0 && (last || (epoch + 1) % settings_.validate_every == 0))
-                validate(record);
-            record.seconds = seconds_since(begin);
-            spent += record.seconds;
-            result_.epochs.push_back(record);
-            model_.write_to(result_.last);
-            if (validation_.faces == 0) result_.best = result_.last, result_.best_epoch = epoch + 1;
-            if (!checkpoint.empty() && (last || (settings_.checkpoint_every > 0 &&
-                                                 (epoch + 1) % settings_.checkpoint_every == 0)))
-                save(checkpoint, mark);
-            listener(record, spent / (epoch + 1 - first) * (settings_.epochs - epoch - 1));
-        }
-        result_.finished = true;
-        return std::move(result_);
-    }
-
+    Index channels_out() const { return initial.decoder.back().channels_out; }
     static Tensor blob(const std::vector<float>& values, std::vector<int64_t> sizes) {
         return torch::from_blob(const_cast<float*>(values.data()), sizes,
                                 torch::TensorOptions().dtype(torch::kFloat32))
             .clone();
     }
+    static Tensor faces_of(const std::vector<float>& values, const TrainingData& data,
+                           Index channels, const torch::Device& device) {
+        return blob(values, {data.faces, data.rows, channels}).to(device);
+    }
+
+    const std::string name;  ///< in front of its tensors in a checkpoint
+    const NetworkLayers& initial;
+    const TrainingData& training;
+    const TrainingData& validation;
+    TorchNetwork model;
+    Adam adam;
+    Tensor input, target, scale;
+    NetworkLayers last, best;
+};
+
+/// What a run must have in common with the one that its checkpoint came from.
+std::string fingerprint(const std::vector<std::unique_ptr<Half>>& halves,
+                        const TrainingSettings& s) {
+    Sha256 hash;
+    const auto add = [&](const void* data, std::size_t size) { hash.update(data, size); };
+    for (const auto& half : halves) {
+        const std::string layers = layers_json(half->initial);
+        add(layers.data(), layers.size());
+        for (const auto& entry : half->initial.tensors)
+            add(entry.second.data, static_cast<std::size_t>(entry.second.count()) * 4);
+        add(half->training.input.data(), half->training.input.size() * sizeof(float));
+        add(half->training.output.data(), half->training.output.size() * sizeof(float));
+    }
+    const double numbers[] = {
+        static_cast<double>(s.batch), s.learning_rate, s.decay, s.weight_decay, s.divergence,
+        static_cast<double>(s.seed)};
+    add(numbers, sizeof numbers);
+    if (halves.size() > 1) add(&s.conditioning, sizeof s.conditioning);
+    if (s.frozen_encoder) add("frozen", 6);
+    return hash.hex_digest();
+}
+
+/// One network, or two whose decoders take each other's code.
+class Trainer {
+  public:
+    Trainer(const std::vector<BandToTrain>& bands, const TrainingSettings& settings)
+        : settings_(settings), device_(settings.accelerator ? torch::kCUDA : torch::kCPU) {
+        for (std::size_t b = 0; b < bands.size(); ++b)
+            halves_.push_back(std::make_unique<Half>(bands.size() == 1 ? ""
+                                                     : b == 0          ? "low."
+                                                                       : "high.",
+                                                     bands[b], device_));
+    }
+
+    TrainingResult run(const std::string& checkpoint, const EpochListener& listener,
+                       const std::atomic<bool>& stop) {
+        const std::string mark = checkpoint.empty() ? "" : fingerprint(halves_, settings_);
+        if (!checkpoint.empty() && std::filesystem::exists(checkpoint)) resume(checkpoint, mark);
+        const int first = static_cast<int>(result_.epochs.size());
+        const bool validated = halves_[0]->validation.faces > 0;
+        double spent = 0;
+        for (int epoch = first; epoch < settings_.epochs; ++epoch) {
+            const Clock::time_point begin = Clock::now();
+            EpochRecord record = train_epoch(epoch, stop);
+            if (stop) return finished(false);  // the epoch is not whole: forgotten
+            const bool last = epoch + 1 == settings_.epochs;
+            if (validated && (last || (epoch + 1) % settings_.validate_every == 0))
+                validate(record);
+            record.seconds = seconds_since(begin);
+            spent += record.seconds;
+            result_.epochs.push_back(record);
+            for (auto& half : halves_) {
+                half->model.write_to(half->last);
+                if (!validated) half->best = half->last;
+            }
+            if (!validated) result_.best_epoch = epoch + 1;
+            if (!checkpoint.empty() && (last || (settings_.checkpoint_every > 0 &&
+                                                 (epoch + 1) % settings_.checkpoint_every == 0)))
+                save(checkpoint, mark);
+            listener(record, spent / (epoch + 1 - first) * (settings_.epochs - epoch - 1));
+        }
+        return finished(true);
+    }
 
   private:
-    Index channels_out() const { return initial_.decoder.back().channels_out; }
-    Tensor all_faces(const std::vector<float>& values, const TrainingData& data, Index channels) {
-        return blob(values, {data.faces, data.rows, channels}).to(device_);
+    TrainingResult finished(bool whole) {
+        result_.finished = whole;
+        result_.last = std::move(halves_[0]->last);
+        result_.best = std::move(halves_[0]->best);
+        if (halves_.size() > 1) {
+            result_.high_last = std::move(halves_[1]->last);
+            result_.high_best = std::move(halves_[1]->best);
+        }
+        return std::move(result_);
     }
 
     EpochRecord train_epoch(int epoch, const std::atomic<bool>& stop) {
         EpochRecord record;
         record.epoch = epoch + 1;
-        const std::vector<Index> order = order_of(settings_.seed, epoch, training_.faces);
-        const double rate = settings_.learning_rate * std::pow(settings_.decay, epoch);
+        const std::vector<Index> order =
+            order_of(settings_.seed, epoch, halves_[0]->training.faces);
         for (std::size_t k = 0; k < order.size() && !stop;
              k += static_cast<std::size_t>(settings_.batch)) {
             const std::size_t count =
                 std::min(static_cast<std::size_t>(settings_.batch), order.size() - k);
-            std::vector<int64_t> faces(order.begin() + static_cast<std::ptrdiff_t>(k),
-                                       order.begin() + static_cast<std::ptrdiff_t>(k + count));
-            const Tensor places = torch::tensor(faces, torch::kInt64).to(device_);
-            adam_.clear_gradients();
-            Tensor divergence;
-            const Tensor code = sampled(input_.index_select(0, places), faces, epoch, divergence);
+            const std::vector<int64_t> faces(
+                order.begin() + static_cast<std::ptrdiff_t>(k),
+                order.begin() + static_cast<std::ptrdiff_t>(k + count));
+            step(faces, epoch, static_cast<double>(count) / static_cast<double>(order.size()),
+                 record);
+        }
+        return record;
+    }
+
+    void step(const std::vector<int64_t>& faces, int epoch, double share, EpochRecord& record) {
+        const Tensor places = torch::tensor(faces, torch::kInt64).to(device_);
+        std::vector<Tensor> codes, divergences(halves_.size());
+        for (std::size_t b = 0; b < halves_.size(); ++b) {
+            halves_[b]->adam.clear_gradients();
+            codes.push_back(sampled(b, halves_[b]->input.index_select(0, places), faces, epoch,
+                                    divergences[b]));
+        }
+        Tensor loss;
+        double* const losses[] = {&record.training_loss, &record.high_training_loss};
+        for (std::size_t b = 0; b < halves_.size(); ++b) {
+            Half& half = *halves_[b];
+            Tensor code = codes[b];
+            if (halves_.size() > 1) code = joined(code, dropped(b, codes[1 - b], faces, epoch));
             const Tensor error =
-                ((target_.index_select(0, places) - model_.decode(code)) * scale_).abs().mean();
-            Tensor loss = error;
-            if (divergence.defined()) loss = loss + divergence * settings_.divergence;
-            loss.backward();
+                ((half.target.index_select(0, places) - half.model.decode(code)) * half.scale)
+                    .abs()
+                    .mean();
             const double value = error.item<double>();
             if (!std::isfinite(value))
                 fail(Status::no_solution,
                      "the loss is no number in epoch %d; lower the learning rate (%g)", epoch + 1,
                      settings_.learning_rate);
-            adam_.step(rate, settings_.weight_decay);
-            const double share = static_cast<double>(count) / static_cast<double>(order.size());
-            record.training_loss += share * value;
-            if (divergence.defined()) record.divergence += share * divergence.item<double>();
+            *losses[b] += share * value;
+            Tensor own = error;
+            if (divergences[b].defined()) {
+                own = own + divergences[b] * settings_.divergence;
+                record.divergence += share * divergences[b].item<double>();
+            }
+            // No weight stands in both: one pass gives each network its own gradient.
+            loss = loss.defined() ? loss + own : own;
         }
-        return record;
+        loss.backward();
+        const double rate = settings_.learning_rate * std::pow(settings_.decay, epoch);
+        for (auto& half : halves_) half->adam.step(rate, settings_.weight_decay);
+    }
+
+    /// Number of a face in an epoch, for its own stream of chance.
+    std::uint64_t sample_number(int64_t face, int epoch) const {
+        return static_cast<std::uint64_t>(epoch) *
+                   static_cast<std::uint64_t>(halves_[0]->training.faces) +
+               static_cast<std::uint64_t>(face);
+    }
+    /// One number for each element of a batch of codes: draw(chance, element).
+    template <typename Draw>
+    Tensor random_like(const Tensor& code, const std::vector<int64_t>& faces, int epoch,
+                       std::uint64_t stream, const Draw& draw) const {
+        Tensor values = torch::empty(code.sizes(), torch::kFloat32);
+        const int64_t size = values[0].numel();
+        float* data = values.data_ptr<float>();
+        for (const int64_t face : faces) {
+            const CounterRandom chance(settings_.seed ^ stream, sample_number(face, epoch));
+            for (int64_t i = 0; i < size; ++i)
+                *data++ = static_cast<float>(draw(chance, static_cast<std::uint64_t>(i)));
+        }
+        return values.to(device_);
     }
 
     /// The code; of a variational network one sample, and the divergence from N(0, I).
-    Tensor sampled(const Tensor& x, const std::vector<int64_t>& faces, int epoch,
+    Tensor sampled(std::size_t b, const Tensor& x, const std::vector<int64_t>& faces, int epoch,
                    Tensor& divergence) {
-        const TorchNetwork::Code code = model_.encode(x);
+        if (settings_.frozen_encoder) {
+            const torch::NoGradGuard no_gradient;
+            return halves_[b]->model.encode(x).mean;
+        }
+        const TorchNetwork::Code code = halves_[b]->model.encode(x);
         if (!code.log_variance.defined()) return code.mean;
         const Tensor log_variance = code.log_variance.clamp(-12, 6);
-        Tensor noise = torch::empty(code.mean.sizes(), torch::kFloat32);
-        const int64_t size = noise[0].numel();
-        float* data = noise.data_ptr<float>();
-        for (std::size_t k = 0; k < faces.size(); ++k) {
-            const CounterRandom chance(
-                settings_.seed ^ kNoiseStream,
-                static_cast<std::uint64_t>(epoch) * static_cast<std::uint64_t>(training_.faces) +
-                    static_cast<std::uint64_t>(faces[k]));
-            for (int64_t i = 0; i < size; ++i)
-                *data++ = static_cast<float>(chance.normal(static_cast<std::uint64_t>(i)));
-        }
+        const Tensor noise = random_like(
+            code.mean, faces, epoch, kNoiseStream + b,
+            [](const CounterRandom& chance, std::uint64_t i) { return chance.normal(i); });
         divergence = 0.5 * (code.mean.square() + log_variance.exp() - 1 - log_variance).sum() /
                      static_cast<double>(faces.size());
-        return code.mean + (0.5 * log_variance).exp() * noise.to(device_);
+        return code.mean + (0.5 * log_variance).exp() * noise;
+    }
+
+    /// The other band's code as decoder b sees it in training.
+    Tensor dropped(std::size_t b, const Tensor& other, const std::vector<int64_t>& faces,
+                   int epoch) const {
+        const Tensor code = other.detach();
+        const double kept = settings_.conditioning;
+        if (kept >= 1) return code;
+        if (kept <= 0) return torch::zeros_like(code);
+        return code * random_like(code, faces, epoch, kDropStream + b,
+                                  [kept](const CounterRandom& chance, std::uint64_t i) {
+                                      return chance.uniform(i) < kept ? 1 / kept : 0.0;
+                                  });
+    }
+    static Tensor joined(const Tensor& own, const Tensor& other) {
+        return torch::cat({own, other}, 2);
     }
 
     void validate(EpochRecord& record) {
         const torch::NoGradGuard no_gradient;
-        const Tensor input = all_faces(validation_.input, validation_, validation_.channels);
-        const Tensor target = validation_.output.empty()
-                                  ? input
-                                  : all_faces(validation_.output, validation_, channels_out());
-        double sum = 0;
-        for (int64_t k = 0; k < validation_.faces; k += settings_.batch) {
-            const int64_t count = std::min<int64_t>(settings_.batch, validation_.faces - k);
-            const Tensor made = model_.decode(model_.encode(input.narrow(0, k, count)).mean);
-            sum += ((target.narrow(0, k, count) - made) * scale_).abs().mean().item<double>() *
-                   static_cast<double>(count);
+        double sums[2] = {0, 0};
+        const Index count_all = halves_[0]->validation.faces;
+        for (int64_t k = 0; k < count_all; k += settings_.batch) {
+            const int64_t count = std::min<int64_t>(settings_.batch, count_all - k);
+            std::vector<Tensor> codes;
+            for (const auto& half : halves_)
+                codes.push_back(half->model.encode(slice(*half, false, k, count)).mean);
+            for (std::size_t b = 0; b < halves_.size(); ++b) {
+                Tensor code = codes[b];
+                if (halves_.size() > 1)
+                    code =
+                        joined(code, settings_.conditioning > 0 ? codes[1 - b]
+                                                                : torch::zeros_like(codes[1 - b]));
+                const Half& half = *halves_[b];
+                sums[b] += ((slice(half, true, k, count) - half.model.decode(code)) * half.scale)
+                               .abs()
+                               .mean()
+                               .item<double>() *
+                           static_cast<double>(count);
+            }
         }
-        record.validation_loss = sum / static_cast<double>(validation_.faces);
-        const bool better = best_loss_ < 0 || record.validation_loss < best_loss_;
-        if (!better) return;
-        best_loss_ = record.validation_loss;
+        record.validation_loss = sums[0] / static_cast<double>(count_all);
+        if (halves_.size() > 1)
+            record.high_validation_loss = sums[1] / static_cast<double>(count_all);
+        const double now = relative_loss(record);
+        if (best_loss_ >= 0 && !(now < best_loss_)) return;
+        best_loss_ = now;
         result_.best_epoch = record.epoch;
-        model_.write_to(result_.best);
+        for (auto& half : halves_) half->model.write_to(half->best);
     }
 
-    void save(const std::string& path, const std::string& mark) {
-        std::vector<Tensor> kept;
-        std::vector<TensorToWrite> tensors;
-        const auto add = [&](const std::string& name, const Tensor& tensor) {
-            kept.push_back(tensor.detach().to(torch::kCPU).contiguous());
-            const auto sizes = kept.back().sizes();
-            tensors.push_back({name, DType::f32,
-                               std::vector<std::uint64_t>(sizes.begin(), sizes.end()),
-                               kept.back().data_ptr<float>()});
-        };
-        for (const auto& [name, weight] : model_.weights()) {
-            add("weight." + name, weight);
-            add("first." + name, adam_.first().at(name));
-            add("second." + name, adam_.second().at(name));
-            const NetworkTensor& best = result_.best.tensors.at(name);
-            tensors.push_back({"best." + name, best.dtype, best.shape, best.data});
-        }
-        JsonText json;
-        json.begin_object().field("steps", adam_.steps()).field("best_epoch", result_.best_epoch);
-        json.field("best_loss", best_loss_).key("epochs").begin_array();
-        for (const EpochRecord& record : result_.epochs)
-            json.begin_array()
-                .number(record.training_loss)
-                .number(record.divergence)
-                .number(record.validation_loss)
-                .number(record.seconds)
-                .end_array();
-        json.end_array().end_object();
-        write_safetensors(path, tensors,
-                          {{"kind", "mien-training-state"},
-                           {"units", "none"},
-                           {"fingerprint", mark},
-                           {"state", json.take()}},
-                          {});
+    /// Validation faces [first, first + count): what goes in, or what should come out.
+    Tensor slice(const Half& half, bool target, int64_t first, int64_t count) const {
+        const TrainingData& data = half.validation;
+        const bool other = target && !data.output.empty();
+        const Index channels = other ? half.channels_out() : data.channels;
+        const std::vector<float>& values = other ? data.output : data.input;
+        const auto size = static_cast<std::size_t>(data.rows * channels);
+        const auto begin =
+            values.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(first) * size);
+        const std::vector<float> part(
+            begin, begin + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(count) * size));
+        return Half::blob(part, {count, data.rows, channels}).to(device_);
     }
 
-    void resume(const std::string& path, const std::string& mark) {
-        const SafetensorsFile file = SafetensorsFile::open(path, {}, {});
-        file.require_kind("mien-training-state");
-        if (file.metadata("fingerprint") != mark)
-            fail(Status::mismatch,
-                 "%.120s is of another network, other faces or other settings; remove it or choose "
-                 "another folder",
-                 path.c_str());
-        const torch::NoGradGuard no_gradient;
-        const auto read = [&](const std::string& name, Tensor to) {
-            std::vector<std::int64_t> shape(to.sizes().begin(), to.sizes().end());
-            const TensorView& view = file.tensor(name, DType::f32, shape);
-            to.copy_(torch::from_blob(const_cast<void*>(view.data), to.sizes(),
-                                      torch::TensorOptions().dtype(torch::kFloat32)));
-        };
-        for (const auto& [name, weight] : model_.weights()) {
-            read("weight." + name, weight);
-            read("first." + name, adam_.first().at(name));
-            read("second." + name, adam_.second().at(name));
-            const TensorView& best = file.tensor(
-                "best." + name, DType::f32,
-                std::vector<std::int64_t>(weight.sizes().begin(), weight.sizes().end()));
-            const auto* data = static_cast<const float*>(best.data);
-            result_.best.tensors[name] =
-                make_tensor(best.shape, std::vector<float>(data, data + best.count));
-        }
-        model_.write_to(result_.last);
-        const std::string& text = file.metadata("state");
-        const JsonTree state(text.data(), text.size(), "the training state");
-        adam_.set_steps(static_cast<std::int64_t>(state.root()["steps"].count("steps")));
-        result_.best_epoch = static_cast<int>(state.root()["best_epoch"].count("best_epoch"));
-        best_loss_ = state.root()["best_loss"].number("best_loss");
-        for (const JsonTree::Value& row : state.root()["epochs"].items()) {
-            const std::vector<JsonTree::Value> numbers = row.items();
-            if (numbers.size() != 4) fail(Status::bad_format, "%.120s: no epochs", path.c_str());
-            EpochRecord record;
-            record.epoch = static_cast<int>(result_.epochs.size()) + 1;
-            record.training_loss = numbers[0].number("a loss");
-            record.divergence = numbers[1].number("a divergence");
-            record.validation_loss = numbers[2].number("a loss");
-            record.seconds = numbers[3].number("seconds");
-            result_.epochs.push_back(record);
-        }
+    /// The losses of two bands have different units: each counts in its first value.
+    double relative_loss(const EpochRecord& record) const {
+        if (halves_.size() == 1) return record.validation_loss;
+        EpochRecord first = record;
+        for (const EpochRecord& earlier : result_.epochs)
+            if (earlier.validation_loss >= 0) {
+                first = earlier;
+                break;
+            }
+        return record.validation_loss / std::max(first.validation_loss, 1e-30) +
+               record.high_validation_loss / std::max(first.high_validation_loss, 1e-30);
     }
 
-    const NetworkLayers& initial_;
-    const TrainingData& training_;
-    const TrainingData& validation_;
+    void save(const std::string& path, const std::string& mark);
+    void resume(const std::string& path, const std::string& mark);
+
     const TrainingSettings& settings_;
     torch::Device device_;
-    TorchNetwork model_;
-    Adam adam_;
-    Tensor input_, target_, scale_;
+    std::vector<std::unique_ptr<Half>> halves_;
     TrainingResult result_;
     double best_loss_ = -1;
 };
 
+void Trainer::save(const std::string& path, const std::string& mark) {
+    std::vector<Tensor> kept;
+    std::vector<TensorToWrite> tensors;
+    const auto add = [&](const std::string& name, const Tensor& tensor) {
+        kept.push_back(tensor.detach().to(torch::kCPU).contiguous());
+        const auto sizes = kept.back().sizes();
+        tensors.push_back({name, DType::f32, std::vector<std::uint64_t>(sizes.begin(), sizes.end()),
+                           kept.back().data_ptr<float>()});
+    };
+    for (auto& half : halves_)
+        for (const auto& [name, weight] : half->model.weights()) {
+            add(half->name + "weight." + name, weight);
+            add(half->name + "first." + name, half->adam.first().at(name));
+            add(half->name + "second." + name, half->adam.second().at(name));
+            const NetworkTensor& best = half->best.tensors.at(name);
+            tensors.push_back({half->name + "best." + name, best.dtype, best.shape, best.data});
+        }
+    JsonText json;
+    json.begin_object().field("steps", halves_[0]->adam.steps());
+    json.field("best_epoch", result_.best_epoch);
+    json.field("best_loss", best_loss_).key("epochs").begin_array();
+    for (const EpochRecord& record : result_.epochs)
+        json.begin_array()
+            .number(record.training_loss)
+            .number(record.divergence)
+            .number(record.validation_loss)
+            .number(record.seconds)
+            .number(record.high_training_loss)
+            .number(record.high_validation_loss)
+            .end_array();
+    json.end_array().end_object();
+    write_safetensors(path, tensors,
+                      {{"kind", "mien-training-state"},
+                       {"units", "none"},
+                       {"fingerprint", mark},
+                       {"state", json.take()}},
+                      {});
+}
+
+void Trainer::resume(const std::string& path, const std::string& mark) {
+    const SafetensorsFile file = SafetensorsFile::open(path, {}, {});
+    file.require_kind("mien-training-state");
+    if (file.metadata("fingerprint") != mark)
+        fail(Status::mismatch,
+             "%.120s is of another network, other faces or other settings; remove it or choose "
+             "another folder",
+             path.c_str());
+    const torch::NoGradGuard no_gradient;
+    const auto read = [&](const std::string& name, Tensor to) {
+        std::vector<std::int64_t> shape(to.sizes().begin(), to.sizes().end());
+        const TensorView& view = file.tensor(name, DType::f32, shape);
+        to.copy_(torch::from_blob(const_cast<void*>(view.data), to.sizes(),
+                                  torch::TensorOptions().dtype(torch::kFloat32)));
+    };
+    const std::string& text = file.metadata("state");
+    const JsonTree state(text.data(), text.size(), "the training state");
+    for (auto& half : halves_) {
+        for (const auto& [name, weight] : half->model.weights()) {
+            read(half->name + "weight." + name, weight);
+            read(half->name + "first." + name, half->adam.first().at(name));
+            read(half->name + "second." + name, half->adam.second().at(name));
+            const TensorView& best = file.tensor(
+                half->name + "best." + name, DType::f32,
+                std::vector<std::int64_t>(weight.sizes().begin(), weight.sizes().end()));
+            const auto* data = static_cast<const float*>(best.data);
+            half->best.tensors[name] =
+                make_tensor(best.shape, std::vector<float>(data, data + best.count));
+        }
+        half->model.write_to(half->last);
+        half->adam.set_steps(static_cast<std::int64_t>(state.root()["steps"].count("steps")));
+    }
+    result_.best_epoch = static_cast<int>(state.root()["best_epoch"].count("best_epoch"));
+    best_loss_ = state.root()["best_loss"].number("best_loss");
+    for (const JsonTree::Value& row : state.root()["epochs"].items()) {
+        const std::vector<JsonTree::Value> numbers = row.items();
+        if (numbers.size() != 6) fail(Status::bad_format, "%.120s: no epochs", path.c_str());
+        EpochRecord record;
+        record.epoch = static_cast<int>(result_.epochs.size()) + 1;
+        record.training_loss = numbers[0].number("a loss");
+        record.divergence = numbers[1].number("a divergence");
+        record.validation_loss = numbers[2].number("a loss");
+        record.seconds = numbers[3].number("seconds");
+        record.high_training_loss = numbers[4].number("a loss");
+        record.high_validation_loss = numbers[5].number("a loss");
+        result_.epochs.push_back(record);
+    }
+}
+
 void check_settings(const TrainingSettings& s) {
     if (s.epochs < 1 || s.batch < 1 || !(s.learning_rate > 0) || !(s.decay > 0 && s.decay <= 1) ||
         !(s.weight_decay >= 0) || !(s.divergence >= 0) || s.threads < 1 || s.validate_every < 1 ||
-        s.checkpoint_every < 0)
+        s.checkpoint_every < 0 || !(s.conditioning >= 0 && s.conditioning <= 1))
         fail(
             Status::invalid_argument,
             "training settings out of range: epochs, batch, threads and validate_every are at "
-            "least 1, learning_rate above 0, decay above 0 and at most 1, the others not negative");
+            "least 1, learning_rate above 0, decay above 0 and at most 1, conditioning 0 to 1, the "
+            "others not negative");
+}
+
+void check_band(const BandToTrain& band, bool paired) {
+    check_layers(band.network);
+    if (band.network.encoder.empty() || band.network.decoder.empty() || band.training.faces < 1)
+        fail(Status::invalid_argument, "training needs an encoder, a decoder and faces");
+    if ((band.network.condition != 0) != paired)
+        fail(Status::invalid_argument,
+             "a decoder that takes another code is trained with the network that gives it");
 }
 
 }  // namespace
@@ -342,11 +435,22 @@ TrainingResult train(const NetworkLayers& network, const TrainingData& training,
                      const std::string& checkpoint, const EpochListener& listener,
                      const std::atomic<bool>& stop) {
     check_settings(settings);
-    check_layers(network);
-    if (network.encoder.empty() || network.decoder.empty() || training.faces < 1)
-        fail(Status::invalid_argument, "training needs an encoder, a decoder and faces");
+    const BandToTrain band{network, training, validation};
+    check_band(band, false);
     torch::set_num_threads(settings.threads);
-    return Trainer(network, training, validation, settings).run(checkpoint, listener, stop);
+    return Trainer({band}, settings).run(checkpoint, listener, stop);
+}
+
+TrainingResult train_bands(const BandToTrain& low, const BandToTrain& high,
+                           const TrainingSettings& settings, const std::string& checkpoint,
+                           const EpochListener& listener, const std::atomic<bool>& stop) {
+    check_settings(settings);
+    check_band(low, true);
+    check_band(high, true);
+    if (low.training.faces != high.training.faces || low.validation.faces != high.validation.faces)
+        fail(Status::invalid_argument, "the bands are of different faces");
+    torch::set_num_threads(settings.threads);
+    return Trainer({low, high}, settings).run(checkpoint, listener, stop);
 }
 
 std::vector<float> reconstruct(const NetworkLayers& network, const TrainingData& data) {
@@ -354,9 +458,25 @@ std::vector<float> reconstruct(const NetworkLayers& network, const TrainingData&
     const TorchNetwork model(network, torch::kFloat32, torch::kCPU);
     const Tensor made =
         model
-            .decode(model.encode(Trainer::blob(data.input, {data.faces, data.rows, data.channels}))
-                        .mean)
+            .decode(
+                model.encode(Half::blob(data.input, {data.faces, data.rows, data.channels})).mean)
             .contiguous();
+    return std::vector<float>(made.data_ptr<float>(), made.data_ptr<float>() + made.numel());
+}
+
+std::vector<float> reconstruct_bands(const BandToTrain& low, const BandToTrain& high,
+                                     double conditioning) {
+    const torch::NoGradGuard no_gradient;
+    const auto code_of = [](const BandToTrain& band) {
+        const TorchNetwork model(band.network, torch::kFloat32, torch::kCPU);
+        const TrainingData& data = band.training;
+        return model.encode(Half::blob(data.input, {data.faces, data.rows, data.channels})).mean;
+    };
+    const Tensor own = code_of(low);
+    Tensor other = code_of(high);
+    if (!(conditioning > 0)) other = torch::zeros_like(other);
+    const TorchNetwork model(low.network, torch::kFloat32, torch::kCPU);
+    const Tensor made = model.decode(torch::cat({own, other}, 2)).contiguous();
     return std::vector<float>(made.data_ptr<float>(), made.data_ptr<float>() + made.numel());
 }
 
