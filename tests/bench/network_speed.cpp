@@ -8,6 +8,7 @@
 #include "base/dense.hpp"
 #include "base/error.hpp"
 #include "base/random.hpp"
+#include "learning/band_network.hpp"
 #include "learning/network.hpp"
 #include "learning/network_builder.hpp"
 #include "mesh/mesh_file.hpp"
@@ -71,6 +72,45 @@ void measure(const TriMesh& mesh, NetworkOperator op, Index latent, int rounds) 
                 decode[0], encode[1], decode[1], apply, load_ms);
 }
 
+/// Two bands at 500 modes: a face to its code, back, and both with the alignment.
+void measure_bands(const TriMesh& mesh, Index latent, int rounds) {
+    FaceSource source;
+    source.count = 3;
+    const CounterRandom chance(2, 2);
+    source.face = [&](Index k, Points& face) {
+        face = mesh.vertices * (1 + 0.01 * static_cast<double>(k));
+        for (Index i = 0; i < face.size(); ++i)
+            face.data()[i] += 0.1 * chance.normal(static_cast<std::uint64_t>(k * face.size() + i));
+    };
+    const auto features = BandFeatures::train(mesh.triangles, source, {}, {});
+    const auto part = [&](const std::shared_ptr<const FaceFeatures>& of) {
+        NetworkOptions options;
+        options.op = NetworkOperator::mesh_autoencoder;
+        options.channels_in = options.channels_out = of->num_channels();
+        options.latent = latent / 2;
+        options.conditioned = true;
+        options.variational = false;
+        return Network::make(build_network(features->mean(), options, {}), of, nullptr, {}, {});
+    };
+    const auto network =
+        BandNetwork::make({part(features->shared_low()), part(features->shared_high()),
+                           features->basis(), BandTask::faces, features->band_limit(), 1},
+                          {});
+    Similarity motion;
+    Eigen::VectorXf code = network->encode(mesh.vertices, &motion, {});
+    const double encode =
+        median_ms(rounds, [&] { code = network->encode(mesh.vertices, &motion, {}); });
+    const double decode = median_ms(rounds, [&] { network->decode(code, &motion, {}); });
+    const double joining = median_ms(rounds, [&] {
+        assemble(network->basis(), mesh.vertices, mesh.vertices, network->band_limit(), {});
+    });
+    std::printf(
+        "two bands of mesh-autoencoder, k = %lld, %lld numbers: face to code %.1f, code to "
+        "face %.1f (assembly alone %.1f), face to face %.1f ms\n",
+        static_cast<long long>(network->band_limit()), static_cast<long long>(network->code_size()),
+        encode, decode, joining, encode + decode);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -91,6 +131,7 @@ int main(int argc, char** argv) {
              {NetworkOperator::feastnet, NetworkOperator::neural3dmm, NetworkOperator::spiralnet,
               NetworkOperator::mesh_autoencoder, NetworkOperator::lsa3dmm})
             measure(mesh, op, latent, rounds);
+        measure_bands(mesh, latent, rounds);
     } catch (const std::exception& failure) {
         std::fprintf(stderr, "network_speed: %s\n", failure.what());
         return 1;
