@@ -1,5 +1,6 @@
 #include "learning/band_network.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.hpp"

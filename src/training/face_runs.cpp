@@ -1,4 +1,5 @@
 // Autoencoders of faces: one network, two over the bands, or principal components.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 

@@ -2,6 +2,8 @@
 // after an interruption. And networks from a neutral face to an expression.
 #include <gtest/gtest.h>
 
+#include <cstring>
+
 #include "base/error.hpp"
 #include "spectral/metrics.hpp"
 #include "training/configuration.hpp"
