@@ -185,6 +185,14 @@ void apply_override(Json& text, const std::string& setting) {
     text[Json::json_pointer("/" + key)] = parsed;
 }
 
+/// What holds for every representation of a table; what is of bands alone only where it means
+/// something, so that a single network's row is the same in every table.
+void merge_representation(Json& own, Json common) {
+    if (own.value("kind", "") != "bands")
+        for (const char* key : {"band_limit", "conditioning", "low", "high"}) common.erase(key);
+    own.merge_patch(common);
+}
+
 }  // namespace
 
 Plan read_plan(const std::string& path, const std::vector<std::string>& overrides) {
@@ -223,7 +231,7 @@ Plan read_plan(const std::string& path, const std::vector<std::string>& override
             // "model.latent=32" holds for every model of a table.
             if (plan.table && text.contains("model")) one["model"].merge_patch(text["model"]);
             if (plan.table && text.contains("representation"))
-                one["representation"].merge_patch(text["representation"]);
+                merge_representation(one["representation"], text["representation"]);
             // Assembly takes end-to-end networks: of this pair there is no row.
             if (plan.table && one["model"].value("two_step", false) &&
                 one["representation"].value("kind", "") == "bands")
