@@ -8,7 +8,9 @@ using Mien.Native;
 namespace Mien
 {
     /// <summary>A trained network with everything that belongs to it: layers, weights, neighbour lists and statistics of one
-    /// template. Immutable: share freely.</summary>
+    /// template. It may be one network, or two over the low and the high frequencies of a face, joined by spectral
+    /// assembly; the code of the latter holds first the low band's numbers, then the high band's. Immutable: share
+    /// freely.</summary>
     public sealed unsafe class Network : NativeObject
     {
         internal Network(IntPtr owned) : base(owned, at => Functions.mien_network_release(at)) { }
@@ -143,8 +145,8 @@ namespace Mien
         /// <param name="motion">may be left out: the mean's frame; 12 float64 of mien_network_encode(), which is undone.</param>
         /// <param name="options">may be left out: defaults.</param>
         /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (not finite, motion not rigid), MIEN_E_UNSUPPORTED_OPTION (no
-        /// decoder), MIEN_E_MISMATCH (code_count), MIEN_E_NO_SOLUTION (a result that is not finite), MIEN_E_NO_MEMORY,
-        /// MIEN_E_CANCELLED</exception>
+        /// decoder; a network that adds an expression), MIEN_E_MISMATCH (code_count), MIEN_E_NO_SOLUTION (a result that is
+        /// not finite), MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
         /// <remarks>C: mien_network_decode()</remarks>
         public Mesh Decode(Session session, double[] code, double[] motion = null, NetworkOptions options = null)
         {
@@ -166,8 +168,9 @@ namespace Mien
         }
 
         /// <summary>The decoded face of a face's code, in the frame of that face: an autoencoder's reconstruction, or what the
-        /// network was trained to make of a face (a neutral one into an expression). Networks on deformations, which know
-        /// no place, have their result put onto the face rigidly.</summary>
+        /// network was trained to make of a face (a neutral one into an expression, with what is the person's own kept).
+        /// Networks on deformations, which know no place, have their result put onto the face rigidly; one that deforms a
+        /// neutral face alone keeps that one's centre.</summary>
         /// <param name="face">#V vertices in the network's topology, mm, anywhere.</param>
         /// <param name="options">may be left out: defaults.</param>
         /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (a half is missing), MIEN_E_MISMATCH
@@ -188,13 +191,81 @@ namespace Mien
             }
         }
 
+        /// <summary>Which numbers of a code belong to which band. Editing some of them changes that band of the decoded face (and
+        /// the other one as far as its decoder was conditioned).</summary>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE</exception>
+        /// <remarks>C: mien_network_get_bands()</remarks>
+        public NetworkBands GetBands()
+        {
+            using (var call = new Call())
+            {
+                var networkAt = call.Use(this);
+                var lowCodeCountAt = call.Room(8);
+                var bandLimitAt = call.Room(8);
+                call.Check(Functions.mien_network_get_bands(networkAt, lowCodeCountAt, bandLimitAt, call.Error));
+                return new NetworkBands(*(ulong*)lowCodeCountAt, *(long*)bandLimitAt);
+            }
+        }
+
+        /// <summary>A face between two, or with the bands of both: each band's code goes from a's to b's by its own weight and is
+        /// decoded. Weights 0 and 0 give a as the network gives it back, 1 and 0 or 0 and 1 exchange a band, equal ones
+        /// interpolate. A network without bands takes the first weight.</summary>
+        /// <param name="a">#V vertices in the network's topology, mm, anywhere.</param>
+        /// <param name="b">#V vertices in the network's topology, mm, anywhere.</param>
+        /// <param name="lowWeight">of the low band; any finite number.</param>
+        /// <param name="highWeight">of the high band; any finite number.</param>
+        /// <param name="options">may be left out: defaults.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (a weight that is not finite), MIEN_E_UNSUPPORTED_OPTION (a half
+        /// is missing; a network that adds an expression), MIEN_E_MISMATCH (vertex count), MIEN_E_INVALID_MESH (not
+        /// finite), MIEN_E_NO_SOLUTION, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
+        /// <remarks>C: mien_network_mix()</remarks>
+        public Mesh Mix(Session session, Mesh a, Mesh b, double lowWeight, double highWeight, NetworkOptions options = null)
+        {
+            using (var call = new Call())
+            {
+                call.Lock(session);
+                var sessionAt = call.Use(session);
+                var networkAt = call.Use(this);
+                var aAt = call.Use(a);
+                var bAt = call.Use(b);
+                var optionsAt = call.Record(options, sizeof(Native.NetworkOptions), true, "options");
+                var outAt = call.Room(8);
+                call.Check(Functions.mien_network_mix(sessionAt, networkAt, aAt, bAt, lowWeight, highWeight, optionsAt, outAt, call.Error));
+                return call.Keep(new Mesh(call.Pointer(outAt)));
+            }
+        }
+
+        /// <summary>The code of a made-up face: drawn from a Gaussian over the codes of the training faces, which the file holds.
+        /// Number and seed alone decide. With dst null and capacity 0: writes the count only.</summary>
+        /// <param name="seed">of the chance.</param>
+        /// <param name="number">of the code within the seed's series.</param>
+        /// <param name="spread">0 the mean code, 1 as far apart as the training faces; not negative.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (spread), MIEN_E_UNSUPPORTED_OPTION (no distribution in the
+        /// file), MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_network_sample()</remarks>
+        public double[] Sample(ulong seed, ulong number, double spread)
+        {
+            using (var call = new Call())
+            {
+                var networkAt = call.Use(this);
+                var countAt = call.Room(8);
+                long capacity = call.FirstCapacity(8);
+                IntPtr dstAt;
+                do {
+                    dstAt = call.Room(capacity * 8);
+                } while ((capacity = call.More(Functions.mien_network_sample(networkAt, seed, number, spread, dstAt, (ulong)capacity, countAt, call.Error), capacity, countAt)) != 0);
+                var rows = call.Count(countAt);
+                return call.ReadDoubles(dstAt, rows);
+            }
+        }
+
         /// <summary>How well the network gives back the faces of a dataset, as JSON: l1_mm, l2_mm, dame and fmpd as means over the
         /// faces and by face. Judge a network on people that it was not trained on.</summary>
         /// <param name="datasetPath">a dataset file in the network's topology.</param>
         /// <param name="options">may be left out: all faces.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (a half is missing, a switch),
-        /// MIEN_E_MISMATCH (vertex count), MIEN_E_NOT_FOUND (no such face), MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT,
-        /// MIEN_E_NO_SOLUTION, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (a half is missing, a switch, a
+        /// network that adds an expression), MIEN_E_MISMATCH (vertex count), MIEN_E_NOT_FOUND (no such face), MIEN_E_IO,
+        /// MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_NO_SOLUTION, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
         /// <remarks>C: mien_network_evaluate()</remarks>
         public string Evaluate(Session session, string datasetPath, NetworkEvaluationOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
         {
@@ -219,9 +290,9 @@ namespace Mien
         /// faces and by face. Judge a network on people that it was not trained on.</summary>
         /// <param name="datasetPath">a dataset file in the network's topology.</param>
         /// <param name="options">may be left out: all faces.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (a half is missing, a switch),
-        /// MIEN_E_MISMATCH (vertex count), MIEN_E_NOT_FOUND (no such face), MIEN_E_IO, MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT,
-        /// MIEN_E_NO_SOLUTION, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (a half is missing, a switch, a
+        /// network that adds an expression), MIEN_E_MISMATCH (vertex count), MIEN_E_NOT_FOUND (no such face), MIEN_E_IO,
+        /// MIEN_E_BAD_FORMAT, MIEN_E_CORRUPT, MIEN_E_NO_SOLUTION, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED</exception>
         /// <remarks>C: mien_network_evaluate()</remarks>
         public Task<string> EvaluateAsync(Session session, string datasetPath, NetworkEvaluationOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
         {

@@ -66,6 +66,7 @@ from .model_counts import ModelCounts
 from .model_fit_options import ModelFitOptions
 from .model_options import ModelOptions
 from .network import Network
+from .network_bands import NetworkBands
 from .network_counts import NetworkCounts
 from .network_encode import NetworkEncode
 from .network_evaluation_options import NetworkEvaluationOptions
@@ -193,6 +194,7 @@ __all__ = [
     "ModelFitOptions",
     "ModelOptions",
     "Network",
+    "NetworkBands",
     "NetworkCounts",
     "NetworkEncode",
     "NetworkEvaluationOptions",

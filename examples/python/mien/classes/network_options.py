@@ -22,3 +22,6 @@ class NetworkOptions(_Options):
     _name = "mien_network_options"
     #: may be left out; looked at between layers
     cancel: Cancel | None
+    #: mien_network_apply() of a network that adds an expression in two bands: modes of the low one; default 0:
+    #: the file's own; negative: none, deformations alone; more than the file's basis has: coordinates alone
+    band_limit: int
