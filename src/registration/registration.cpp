@@ -6,6 +6,7 @@
 #include "geometry/normals.hpp"
 #include "mesh/length_unit.hpp"
 #include "registration/output.hpp"
+#include "registration/ready_scan.hpp"
 
 namespace mien {
 namespace {
@@ -179,13 +180,6 @@ RegistrationResult register_in_frame(const DeformationModel& model, const TriMes
                                quiet);
     doubt_unit(result.verdict);
     return result;
-}
-
-void move_result(const Vector3& by_mm, RegistrationResult& result) {
-    result.fitted.vertices.rowwise() += by_mm.transpose();
-    for (SurfaceHit& hit : result.correspondence) hit.point += by_mm;
-    result.start.translation += by_mm;
-    result.motion.translation += by_mm;
 }
 
 }  // namespace
