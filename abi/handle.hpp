@@ -36,6 +36,9 @@ enum class Tag : std::uint32_t {
     network = 0x4D530014,
     anthropometry = 0x4D530016,
     norms = 0x4D530017,
+    follower = 0x4D530018,
+    ready_scan = 0x4D530019,
+    batch = 0x4D53001A,
 };
 
 /// Base of every object behind a handle. Never moved; freed by release().

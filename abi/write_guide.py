@@ -7,6 +7,7 @@ TASKS = (("session.h", "Start, limit, cancel"), ("error.h", "Errors and versions
          ("mesh_tools.h", "Look at meshes and mend them"), ("landmarks.h", "Landmarks and zones"),
          ("template_check.h", "Check a template"), ("model.h", "Deformation models"),
          ("model_fit.h", "Coefficients of faces in a deformation model"), ("registration.h", "Fit a template to a scan"),
+         ("batch.h", "Fit a scan often, or many scans at a time"), ("follow.h", "Follow a moving face"),
          ("dataset.h", "Collect faces for training"), ("training.h", "Train expression models"),
          ("expression.h", "Expression models"), ("neutralization.h", "Take the expression off"),
          ("study.h", "Compare a person's visits"), ("measure.h", "Volumes, areas, distances"),

@@ -305,40 +305,6 @@ namespace Mien.Native
     }
 
     [StructLayout(LayoutKind.Sequential)]
-    internal unsafe struct SpectralBasisOptions
-    {
-        public uint structSize;
-        public uint modeCount;
-        public int mass;
-        public int cotangents;
-        public IntPtr progress;
-        public IntPtr progressUser;
-        public IntPtr cancel;
-    }
-
-    [StructLayout(LayoutKind.Sequential)]
-    internal unsafe struct BlendshapeOptions
-    {
-        public uint structSize;
-        public uint reserved;
-        public double ridge;
-        public IntPtr progress;
-        public IntPtr progressUser;
-        public IntPtr cancel;
-    }
-
-    [StructLayout(LayoutKind.Sequential)]
-    internal unsafe struct BandChoice
-    {
-        public ulong k;
-        public double l1Mm;
-        public double dame;
-        public double fmpd;
-        public int onFront;
-        public int chosen;
-    }
-
-    [StructLayout(LayoutKind.Sequential)]
     internal unsafe struct RegisterOptions
     {
         public uint structSize;
@@ -404,6 +370,50 @@ namespace Mien.Native
     }
 
     [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct BatchOptions
+    {
+        public uint structSize;
+        public uint reserved;
+        public IntPtr progress;
+        public IntPtr progressUser;
+        public IntPtr cancel;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct SpectralBasisOptions
+    {
+        public uint structSize;
+        public uint modeCount;
+        public int mass;
+        public int cotangents;
+        public IntPtr progress;
+        public IntPtr progressUser;
+        public IntPtr cancel;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct BlendshapeOptions
+    {
+        public uint structSize;
+        public uint reserved;
+        public double ridge;
+        public IntPtr progress;
+        public IntPtr progressUser;
+        public IntPtr cancel;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct BandChoice
+    {
+        public ulong k;
+        public double l1Mm;
+        public double dame;
+        public double fmpd;
+        public int onFront;
+        public int chosen;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     internal unsafe struct NeutralizeOptions
     {
         public uint structSize;
@@ -453,6 +463,36 @@ namespace Mien.Native
         public IntPtr cancel;
         public IntPtr volumeZones;
         public ulong volumeZoneCount;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct FollowOptions
+    {
+        public uint structSize;
+        public int rounds;
+        public int maxVertices;
+        public int maxScalarModes;
+        public int maxPcaModes;
+        public uint reserved;
+        public double temporalMm;
+        public double sigmaStartMm;
+        public double sigmaEndMm;
+        public double lostShare;
+        public double unitToMm;
+        public double focalX;
+        public double focalY;
+        public double centreX;
+        public double centreY;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct FollowState
+    {
+        public uint structSize;
+        public int state;
+        public double share;
+        public double residualMm;
+        public double slideMm;
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -902,6 +942,64 @@ namespace Mien.Native
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern int mien_measurement_get_mirror_plane(IntPtr measurement, IntPtr @out, IntPtr error);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_register_options_init(IntPtr options, UIntPtr structSize);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_register(IntPtr session, IntPtr model, IntPtr scan, IntPtr options, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern IntPtr mien_registration_mesh(IntPtr registration);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_registration_get_verdict(IntPtr registration, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_registration_get_expected_error(IntPtr registration, IntPtr zone, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_registration_get_field(IntPtr registration, int field, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_registration_get_correspondence(IntPtr registration, IntPtr triangles, IntPtr barycentric, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_registration_get_motion(IntPtr registration, IntPtr matrix, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_registration_get_json(IntPtr registration, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_registration_save(IntPtr session, IntPtr registration, IntPtr path, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_registration_load(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_registration_create(IntPtr session, IntPtr mesh, IntPtr weight, IntPtr residual, IntPtr standardDeviation, int quality, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_registration_retain(IntPtr registration);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_registration_release(IntPtr registration);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_surface_transfer_points(IntPtr session, IntPtr surface, IntPtr points, double maxDistanceMm, IntPtr triangles, IntPtr barycentric, IntPtr positions, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_surface_transfer_zone(IntPtr session, IntPtr from, IntPtr vertices, ulong vertexCount, IntPtr to, double maxDistanceMm, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_surface_transfer_json(IntPtr session, IntPtr model, IntPtr fitted, IntPtr scan, int what, double maxDistanceMm, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_batch_options_init(IntPtr options, UIntPtr structSize);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_ready_scan_create(IntPtr session, IntPtr scan, IntPtr options, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_ready_scan_register(IntPtr session, IntPtr model, IntPtr scan, IntPtr options, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_ready_scan_retain(IntPtr scan);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_ready_scan_release(IntPtr scan);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_batch_create(IntPtr session, IntPtr model, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_batch_add(IntPtr session, IntPtr batch, IntPtr scan, IntPtr options, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_batch_run(IntPtr session, IntPtr batch, IntPtr options, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_batch_get_counts(IntPtr batch, IntPtr scanCount, IntPtr runCount, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_batch_get_registration(IntPtr batch, int index, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_batch_retain(IntPtr batch);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_batch_release(IntPtr batch);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_spectral_basis_options_init(IntPtr options, UIntPtr structSize);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern int mien_spectral_basis_build(IntPtr session, IntPtr mean, IntPtr options, IntPtr @out, IntPtr error);
@@ -970,40 +1068,6 @@ namespace Mien.Native
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_dataset_writer_release(IntPtr writer);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_register_options_init(IntPtr options, UIntPtr structSize);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_register(IntPtr session, IntPtr model, IntPtr scan, IntPtr options, IntPtr @out, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern IntPtr mien_registration_mesh(IntPtr registration);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_registration_get_verdict(IntPtr registration, IntPtr @out, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_registration_get_expected_error(IntPtr registration, IntPtr zone, IntPtr @out, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_registration_get_field(IntPtr registration, int field, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_registration_get_correspondence(IntPtr registration, IntPtr triangles, IntPtr barycentric, ulong capacity, IntPtr count, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_registration_get_motion(IntPtr registration, IntPtr matrix, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_registration_get_json(IntPtr registration, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_registration_save(IntPtr session, IntPtr registration, IntPtr path, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_registration_load(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_registration_create(IntPtr session, IntPtr mesh, IntPtr weight, IntPtr residual, IntPtr standardDeviation, int quality, IntPtr @out, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_registration_retain(IntPtr registration);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern void mien_registration_release(IntPtr registration);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_surface_transfer_points(IntPtr session, IntPtr surface, IntPtr points, double maxDistanceMm, IntPtr triangles, IntPtr barycentric, IntPtr positions, ulong capacity, IntPtr count, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_surface_transfer_zone(IntPtr session, IntPtr from, IntPtr vertices, ulong vertexCount, IntPtr to, double maxDistanceMm, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int mien_surface_transfer_json(IntPtr session, IntPtr model, IntPtr fitted, IntPtr scan, int what, double maxDistanceMm, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
-        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern int mien_expression_model_load(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern int mien_expression_model_load_memory(IntPtr session, IntPtr data, ulong size, IntPtr @out, IntPtr error);
@@ -1053,6 +1117,20 @@ namespace Mien.Native
         internal static extern int mien_evaluation_get_json(IntPtr evaluation, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_evaluation_release(IntPtr evaluation);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_follow_options_init(IntPtr options, UIntPtr structSize);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_follower_create(IntPtr session, IntPtr model, IntPtr start, IntPtr options, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_follower_fit(IntPtr session, IntPtr follower, IntPtr points, int width, int height, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_follower_get_mesh(IntPtr follower, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_follower_get_motion(IntPtr follower, IntPtr matrix, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_follower_retain(IntPtr follower);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_follower_release(IntPtr follower);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_geodesic_options_init(IntPtr options, UIntPtr structSize);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
@@ -1572,6 +1650,93 @@ namespace Mien.Native
         internal delegate int mien_measurement_get_mirror_plane_function(IntPtr measurement, IntPtr @out, IntPtr error);
         internal static readonly mien_measurement_get_mirror_plane_function mien_measurement_get_mirror_plane = Library.Function<mien_measurement_get_mirror_plane_function>("mien_measurement_get_mirror_plane");
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_register_options_init_function(IntPtr options, UIntPtr structSize);
+        internal static readonly mien_register_options_init_function mien_register_options_init = Library.Function<mien_register_options_init_function>("mien_register_options_init");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_register_function(IntPtr session, IntPtr model, IntPtr scan, IntPtr options, IntPtr @out, IntPtr error);
+        internal static readonly mien_register_function mien_register = Library.Function<mien_register_function>("mien_register");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate IntPtr mien_registration_mesh_function(IntPtr registration);
+        internal static readonly mien_registration_mesh_function mien_registration_mesh = Library.Function<mien_registration_mesh_function>("mien_registration_mesh");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_registration_get_verdict_function(IntPtr registration, IntPtr @out, IntPtr error);
+        internal static readonly mien_registration_get_verdict_function mien_registration_get_verdict = Library.Function<mien_registration_get_verdict_function>("mien_registration_get_verdict");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_registration_get_expected_error_function(IntPtr registration, IntPtr zone, IntPtr @out, IntPtr error);
+        internal static readonly mien_registration_get_expected_error_function mien_registration_get_expected_error = Library.Function<mien_registration_get_expected_error_function>("mien_registration_get_expected_error");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_registration_get_field_function(IntPtr registration, int field, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_registration_get_field_function mien_registration_get_field = Library.Function<mien_registration_get_field_function>("mien_registration_get_field");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_registration_get_correspondence_function(IntPtr registration, IntPtr triangles, IntPtr barycentric, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_registration_get_correspondence_function mien_registration_get_correspondence = Library.Function<mien_registration_get_correspondence_function>("mien_registration_get_correspondence");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_registration_get_motion_function(IntPtr registration, IntPtr matrix, IntPtr error);
+        internal static readonly mien_registration_get_motion_function mien_registration_get_motion = Library.Function<mien_registration_get_motion_function>("mien_registration_get_motion");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_registration_get_json_function(IntPtr registration, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_registration_get_json_function mien_registration_get_json = Library.Function<mien_registration_get_json_function>("mien_registration_get_json");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_registration_save_function(IntPtr session, IntPtr registration, IntPtr path, IntPtr error);
+        internal static readonly mien_registration_save_function mien_registration_save = Library.Function<mien_registration_save_function>("mien_registration_save");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_registration_load_function(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
+        internal static readonly mien_registration_load_function mien_registration_load = Library.Function<mien_registration_load_function>("mien_registration_load");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_registration_create_function(IntPtr session, IntPtr mesh, IntPtr weight, IntPtr residual, IntPtr standardDeviation, int quality, IntPtr @out, IntPtr error);
+        internal static readonly mien_registration_create_function mien_registration_create = Library.Function<mien_registration_create_function>("mien_registration_create");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_registration_retain_function(IntPtr registration);
+        internal static readonly mien_registration_retain_function mien_registration_retain = Library.Function<mien_registration_retain_function>("mien_registration_retain");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_registration_release_function(IntPtr registration);
+        internal static readonly mien_registration_release_function mien_registration_release = Library.Function<mien_registration_release_function>("mien_registration_release");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_surface_transfer_points_function(IntPtr session, IntPtr surface, IntPtr points, double maxDistanceMm, IntPtr triangles, IntPtr barycentric, IntPtr positions, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_surface_transfer_points_function mien_surface_transfer_points = Library.Function<mien_surface_transfer_points_function>("mien_surface_transfer_points");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_surface_transfer_zone_function(IntPtr session, IntPtr from, IntPtr vertices, ulong vertexCount, IntPtr to, double maxDistanceMm, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_surface_transfer_zone_function mien_surface_transfer_zone = Library.Function<mien_surface_transfer_zone_function>("mien_surface_transfer_zone");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_surface_transfer_json_function(IntPtr session, IntPtr model, IntPtr fitted, IntPtr scan, int what, double maxDistanceMm, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
+        internal static readonly mien_surface_transfer_json_function mien_surface_transfer_json = Library.Function<mien_surface_transfer_json_function>("mien_surface_transfer_json");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_batch_options_init_function(IntPtr options, UIntPtr structSize);
+        internal static readonly mien_batch_options_init_function mien_batch_options_init = Library.Function<mien_batch_options_init_function>("mien_batch_options_init");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_ready_scan_create_function(IntPtr session, IntPtr scan, IntPtr options, IntPtr @out, IntPtr error);
+        internal static readonly mien_ready_scan_create_function mien_ready_scan_create = Library.Function<mien_ready_scan_create_function>("mien_ready_scan_create");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_ready_scan_register_function(IntPtr session, IntPtr model, IntPtr scan, IntPtr options, IntPtr @out, IntPtr error);
+        internal static readonly mien_ready_scan_register_function mien_ready_scan_register = Library.Function<mien_ready_scan_register_function>("mien_ready_scan_register");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_ready_scan_retain_function(IntPtr scan);
+        internal static readonly mien_ready_scan_retain_function mien_ready_scan_retain = Library.Function<mien_ready_scan_retain_function>("mien_ready_scan_retain");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_ready_scan_release_function(IntPtr scan);
+        internal static readonly mien_ready_scan_release_function mien_ready_scan_release = Library.Function<mien_ready_scan_release_function>("mien_ready_scan_release");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_batch_create_function(IntPtr session, IntPtr model, IntPtr @out, IntPtr error);
+        internal static readonly mien_batch_create_function mien_batch_create = Library.Function<mien_batch_create_function>("mien_batch_create");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_batch_add_function(IntPtr session, IntPtr batch, IntPtr scan, IntPtr options, IntPtr error);
+        internal static readonly mien_batch_add_function mien_batch_add = Library.Function<mien_batch_add_function>("mien_batch_add");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_batch_run_function(IntPtr session, IntPtr batch, IntPtr options, IntPtr error);
+        internal static readonly mien_batch_run_function mien_batch_run = Library.Function<mien_batch_run_function>("mien_batch_run");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_batch_get_counts_function(IntPtr batch, IntPtr scanCount, IntPtr runCount, IntPtr error);
+        internal static readonly mien_batch_get_counts_function mien_batch_get_counts = Library.Function<mien_batch_get_counts_function>("mien_batch_get_counts");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_batch_get_registration_function(IntPtr batch, int index, IntPtr @out, IntPtr error);
+        internal static readonly mien_batch_get_registration_function mien_batch_get_registration = Library.Function<mien_batch_get_registration_function>("mien_batch_get_registration");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_batch_retain_function(IntPtr batch);
+        internal static readonly mien_batch_retain_function mien_batch_retain = Library.Function<mien_batch_retain_function>("mien_batch_retain");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_batch_release_function(IntPtr batch);
+        internal static readonly mien_batch_release_function mien_batch_release = Library.Function<mien_batch_release_function>("mien_batch_release");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         internal delegate void mien_spectral_basis_options_init_function(IntPtr options, UIntPtr structSize);
         internal static readonly mien_spectral_basis_options_init_function mien_spectral_basis_options_init = Library.Function<mien_spectral_basis_options_init_function>("mien_spectral_basis_options_init");
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
@@ -1674,57 +1839,6 @@ namespace Mien.Native
         internal delegate void mien_dataset_writer_release_function(IntPtr writer);
         internal static readonly mien_dataset_writer_release_function mien_dataset_writer_release = Library.Function<mien_dataset_writer_release_function>("mien_dataset_writer_release");
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate void mien_register_options_init_function(IntPtr options, UIntPtr structSize);
-        internal static readonly mien_register_options_init_function mien_register_options_init = Library.Function<mien_register_options_init_function>("mien_register_options_init");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_register_function(IntPtr session, IntPtr model, IntPtr scan, IntPtr options, IntPtr @out, IntPtr error);
-        internal static readonly mien_register_function mien_register = Library.Function<mien_register_function>("mien_register");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate IntPtr mien_registration_mesh_function(IntPtr registration);
-        internal static readonly mien_registration_mesh_function mien_registration_mesh = Library.Function<mien_registration_mesh_function>("mien_registration_mesh");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_registration_get_verdict_function(IntPtr registration, IntPtr @out, IntPtr error);
-        internal static readonly mien_registration_get_verdict_function mien_registration_get_verdict = Library.Function<mien_registration_get_verdict_function>("mien_registration_get_verdict");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_registration_get_expected_error_function(IntPtr registration, IntPtr zone, IntPtr @out, IntPtr error);
-        internal static readonly mien_registration_get_expected_error_function mien_registration_get_expected_error = Library.Function<mien_registration_get_expected_error_function>("mien_registration_get_expected_error");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_registration_get_field_function(IntPtr registration, int field, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
-        internal static readonly mien_registration_get_field_function mien_registration_get_field = Library.Function<mien_registration_get_field_function>("mien_registration_get_field");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_registration_get_correspondence_function(IntPtr registration, IntPtr triangles, IntPtr barycentric, ulong capacity, IntPtr count, IntPtr error);
-        internal static readonly mien_registration_get_correspondence_function mien_registration_get_correspondence = Library.Function<mien_registration_get_correspondence_function>("mien_registration_get_correspondence");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_registration_get_motion_function(IntPtr registration, IntPtr matrix, IntPtr error);
-        internal static readonly mien_registration_get_motion_function mien_registration_get_motion = Library.Function<mien_registration_get_motion_function>("mien_registration_get_motion");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_registration_get_json_function(IntPtr registration, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
-        internal static readonly mien_registration_get_json_function mien_registration_get_json = Library.Function<mien_registration_get_json_function>("mien_registration_get_json");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_registration_save_function(IntPtr session, IntPtr registration, IntPtr path, IntPtr error);
-        internal static readonly mien_registration_save_function mien_registration_save = Library.Function<mien_registration_save_function>("mien_registration_save");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_registration_load_function(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
-        internal static readonly mien_registration_load_function mien_registration_load = Library.Function<mien_registration_load_function>("mien_registration_load");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_registration_create_function(IntPtr session, IntPtr mesh, IntPtr weight, IntPtr residual, IntPtr standardDeviation, int quality, IntPtr @out, IntPtr error);
-        internal static readonly mien_registration_create_function mien_registration_create = Library.Function<mien_registration_create_function>("mien_registration_create");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate void mien_registration_retain_function(IntPtr registration);
-        internal static readonly mien_registration_retain_function mien_registration_retain = Library.Function<mien_registration_retain_function>("mien_registration_retain");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate void mien_registration_release_function(IntPtr registration);
-        internal static readonly mien_registration_release_function mien_registration_release = Library.Function<mien_registration_release_function>("mien_registration_release");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_surface_transfer_points_function(IntPtr session, IntPtr surface, IntPtr points, double maxDistanceMm, IntPtr triangles, IntPtr barycentric, IntPtr positions, ulong capacity, IntPtr count, IntPtr error);
-        internal static readonly mien_surface_transfer_points_function mien_surface_transfer_points = Library.Function<mien_surface_transfer_points_function>("mien_surface_transfer_points");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_surface_transfer_zone_function(IntPtr session, IntPtr from, IntPtr vertices, ulong vertexCount, IntPtr to, double maxDistanceMm, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
-        internal static readonly mien_surface_transfer_zone_function mien_surface_transfer_zone = Library.Function<mien_surface_transfer_zone_function>("mien_surface_transfer_zone");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        internal delegate int mien_surface_transfer_json_function(IntPtr session, IntPtr model, IntPtr fitted, IntPtr scan, int what, double maxDistanceMm, IntPtr dst, ulong capacity, IntPtr count, IntPtr error);
-        internal static readonly mien_surface_transfer_json_function mien_surface_transfer_json = Library.Function<mien_surface_transfer_json_function>("mien_surface_transfer_json");
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         internal delegate int mien_expression_model_load_function(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
         internal static readonly mien_expression_model_load_function mien_expression_model_load = Library.Function<mien_expression_model_load_function>("mien_expression_model_load");
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
@@ -1799,6 +1913,27 @@ namespace Mien.Native
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         internal delegate void mien_evaluation_release_function(IntPtr evaluation);
         internal static readonly mien_evaluation_release_function mien_evaluation_release = Library.Function<mien_evaluation_release_function>("mien_evaluation_release");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_follow_options_init_function(IntPtr options, UIntPtr structSize);
+        internal static readonly mien_follow_options_init_function mien_follow_options_init = Library.Function<mien_follow_options_init_function>("mien_follow_options_init");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_follower_create_function(IntPtr session, IntPtr model, IntPtr start, IntPtr options, IntPtr @out, IntPtr error);
+        internal static readonly mien_follower_create_function mien_follower_create = Library.Function<mien_follower_create_function>("mien_follower_create");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_follower_fit_function(IntPtr session, IntPtr follower, IntPtr points, int width, int height, IntPtr @out, IntPtr error);
+        internal static readonly mien_follower_fit_function mien_follower_fit = Library.Function<mien_follower_fit_function>("mien_follower_fit");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_follower_get_mesh_function(IntPtr follower, IntPtr @out, IntPtr error);
+        internal static readonly mien_follower_get_mesh_function mien_follower_get_mesh = Library.Function<mien_follower_get_mesh_function>("mien_follower_get_mesh");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_follower_get_motion_function(IntPtr follower, IntPtr matrix, IntPtr error);
+        internal static readonly mien_follower_get_motion_function mien_follower_get_motion = Library.Function<mien_follower_get_motion_function>("mien_follower_get_motion");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_follower_retain_function(IntPtr follower);
+        internal static readonly mien_follower_retain_function mien_follower_retain = Library.Function<mien_follower_retain_function>("mien_follower_retain");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_follower_release_function(IntPtr follower);
+        internal static readonly mien_follower_release_function mien_follower_release = Library.Function<mien_follower_release_function>("mien_follower_release");
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         internal delegate void mien_geodesic_options_init_function(IntPtr options, UIntPtr structSize);
         internal static readonly mien_geodesic_options_init_function mien_geodesic_options_init = Library.Function<mien_geodesic_options_init_function>("mien_geodesic_options_init");

@@ -217,28 +217,6 @@ STATIC_CHECK(offsetof(mien_mirror_plane, tilt_sd_rad) == 72, place_of_mien_mirro
 STATIC_CHECK(offsetof(mien_mirror_plane, offset_sd_mm) == 80, place_of_mien_mirror_plane_offset_sd_mm);
 STATIC_CHECK(offsetof(mien_mirror_plane, between_rad) == 88, place_of_mien_mirror_plane_between_rad);
 STATIC_CHECK(offsetof(mien_mirror_plane, apart_mm) == 96, place_of_mien_mirror_plane_apart_mm);
-STATIC_CHECK(sizeof(mien_spectral_basis_options) == 40, size_of_mien_spectral_basis_options);
-STATIC_CHECK(offsetof(mien_spectral_basis_options, struct_size) == 0, place_of_mien_spectral_basis_options_struct_size);
-STATIC_CHECK(offsetof(mien_spectral_basis_options, mode_count) == 4, place_of_mien_spectral_basis_options_mode_count);
-STATIC_CHECK(offsetof(mien_spectral_basis_options, mass) == 8, place_of_mien_spectral_basis_options_mass);
-STATIC_CHECK(offsetof(mien_spectral_basis_options, cotangents) == 12, place_of_mien_spectral_basis_options_cotangents);
-STATIC_CHECK(offsetof(mien_spectral_basis_options, progress) == 16, place_of_mien_spectral_basis_options_progress);
-STATIC_CHECK(offsetof(mien_spectral_basis_options, progress_user) == 24, place_of_mien_spectral_basis_options_progress_user);
-STATIC_CHECK(offsetof(mien_spectral_basis_options, cancel) == 32, place_of_mien_spectral_basis_options_cancel);
-STATIC_CHECK(sizeof(mien_blendshape_options) == 40, size_of_mien_blendshape_options);
-STATIC_CHECK(offsetof(mien_blendshape_options, struct_size) == 0, place_of_mien_blendshape_options_struct_size);
-STATIC_CHECK(offsetof(mien_blendshape_options, reserved) == 4, place_of_mien_blendshape_options_reserved);
-STATIC_CHECK(offsetof(mien_blendshape_options, ridge) == 8, place_of_mien_blendshape_options_ridge);
-STATIC_CHECK(offsetof(mien_blendshape_options, progress) == 16, place_of_mien_blendshape_options_progress);
-STATIC_CHECK(offsetof(mien_blendshape_options, progress_user) == 24, place_of_mien_blendshape_options_progress_user);
-STATIC_CHECK(offsetof(mien_blendshape_options, cancel) == 32, place_of_mien_blendshape_options_cancel);
-STATIC_CHECK(sizeof(mien_band_choice) == 40, size_of_mien_band_choice);
-STATIC_CHECK(offsetof(mien_band_choice, k) == 0, place_of_mien_band_choice_k);
-STATIC_CHECK(offsetof(mien_band_choice, l1_mm) == 8, place_of_mien_band_choice_l1_mm);
-STATIC_CHECK(offsetof(mien_band_choice, dame) == 16, place_of_mien_band_choice_dame);
-STATIC_CHECK(offsetof(mien_band_choice, fmpd) == 24, place_of_mien_band_choice_fmpd);
-STATIC_CHECK(offsetof(mien_band_choice, on_front) == 32, place_of_mien_band_choice_on_front);
-STATIC_CHECK(offsetof(mien_band_choice, chosen) == 36, place_of_mien_band_choice_chosen);
 STATIC_CHECK(sizeof(mien_register_options) == 296, size_of_mien_register_options);
 STATIC_CHECK(offsetof(mien_register_options, struct_size) == 0, place_of_mien_register_options_struct_size);
 STATIC_CHECK(offsetof(mien_register_options, growth) == 4, place_of_mien_register_options_growth);
@@ -292,6 +270,34 @@ STATIC_CHECK(offsetof(mien_expected_error, expected_mm) == 8, place_of_mien_expe
 STATIC_CHECK(offsetof(mien_expected_error, low_mm) == 16, place_of_mien_expected_error_low_mm);
 STATIC_CHECK(offsetof(mien_expected_error, high_mm) == 24, place_of_mien_expected_error_high_mm);
 STATIC_CHECK(offsetof(mien_expected_error, unseen) == 32, place_of_mien_expected_error_unseen);
+STATIC_CHECK(sizeof(mien_batch_options) == 32, size_of_mien_batch_options);
+STATIC_CHECK(offsetof(mien_batch_options, struct_size) == 0, place_of_mien_batch_options_struct_size);
+STATIC_CHECK(offsetof(mien_batch_options, reserved) == 4, place_of_mien_batch_options_reserved);
+STATIC_CHECK(offsetof(mien_batch_options, progress) == 8, place_of_mien_batch_options_progress);
+STATIC_CHECK(offsetof(mien_batch_options, progress_user) == 16, place_of_mien_batch_options_progress_user);
+STATIC_CHECK(offsetof(mien_batch_options, cancel) == 24, place_of_mien_batch_options_cancel);
+STATIC_CHECK(sizeof(mien_spectral_basis_options) == 40, size_of_mien_spectral_basis_options);
+STATIC_CHECK(offsetof(mien_spectral_basis_options, struct_size) == 0, place_of_mien_spectral_basis_options_struct_size);
+STATIC_CHECK(offsetof(mien_spectral_basis_options, mode_count) == 4, place_of_mien_spectral_basis_options_mode_count);
+STATIC_CHECK(offsetof(mien_spectral_basis_options, mass) == 8, place_of_mien_spectral_basis_options_mass);
+STATIC_CHECK(offsetof(mien_spectral_basis_options, cotangents) == 12, place_of_mien_spectral_basis_options_cotangents);
+STATIC_CHECK(offsetof(mien_spectral_basis_options, progress) == 16, place_of_mien_spectral_basis_options_progress);
+STATIC_CHECK(offsetof(mien_spectral_basis_options, progress_user) == 24, place_of_mien_spectral_basis_options_progress_user);
+STATIC_CHECK(offsetof(mien_spectral_basis_options, cancel) == 32, place_of_mien_spectral_basis_options_cancel);
+STATIC_CHECK(sizeof(mien_blendshape_options) == 40, size_of_mien_blendshape_options);
+STATIC_CHECK(offsetof(mien_blendshape_options, struct_size) == 0, place_of_mien_blendshape_options_struct_size);
+STATIC_CHECK(offsetof(mien_blendshape_options, reserved) == 4, place_of_mien_blendshape_options_reserved);
+STATIC_CHECK(offsetof(mien_blendshape_options, ridge) == 8, place_of_mien_blendshape_options_ridge);
+STATIC_CHECK(offsetof(mien_blendshape_options, progress) == 16, place_of_mien_blendshape_options_progress);
+STATIC_CHECK(offsetof(mien_blendshape_options, progress_user) == 24, place_of_mien_blendshape_options_progress_user);
+STATIC_CHECK(offsetof(mien_blendshape_options, cancel) == 32, place_of_mien_blendshape_options_cancel);
+STATIC_CHECK(sizeof(mien_band_choice) == 40, size_of_mien_band_choice);
+STATIC_CHECK(offsetof(mien_band_choice, k) == 0, place_of_mien_band_choice_k);
+STATIC_CHECK(offsetof(mien_band_choice, l1_mm) == 8, place_of_mien_band_choice_l1_mm);
+STATIC_CHECK(offsetof(mien_band_choice, dame) == 16, place_of_mien_band_choice_dame);
+STATIC_CHECK(offsetof(mien_band_choice, fmpd) == 24, place_of_mien_band_choice_fmpd);
+STATIC_CHECK(offsetof(mien_band_choice, on_front) == 32, place_of_mien_band_choice_on_front);
+STATIC_CHECK(offsetof(mien_band_choice, chosen) == 36, place_of_mien_band_choice_chosen);
 STATIC_CHECK(sizeof(mien_neutralize_options) == 128, size_of_mien_neutralize_options);
 STATIC_CHECK(offsetof(mien_neutralize_options, struct_size) == 0, place_of_mien_neutralize_options_struct_size);
 STATIC_CHECK(offsetof(mien_neutralize_options, method) == 4, place_of_mien_neutralize_options_method);
@@ -332,6 +338,28 @@ STATIC_CHECK(offsetof(mien_evaluate_options, progress_user) == 72, place_of_mien
 STATIC_CHECK(offsetof(mien_evaluate_options, cancel) == 80, place_of_mien_evaluate_options_cancel);
 STATIC_CHECK(offsetof(mien_evaluate_options, volume_zones) == 88, place_of_mien_evaluate_options_volume_zones);
 STATIC_CHECK(offsetof(mien_evaluate_options, volume_zone_count) == 96, place_of_mien_evaluate_options_volume_zone_count);
+STATIC_CHECK(sizeof(mien_follow_options) == 96, size_of_mien_follow_options);
+STATIC_CHECK(offsetof(mien_follow_options, struct_size) == 0, place_of_mien_follow_options_struct_size);
+STATIC_CHECK(offsetof(mien_follow_options, rounds) == 4, place_of_mien_follow_options_rounds);
+STATIC_CHECK(offsetof(mien_follow_options, max_vertices) == 8, place_of_mien_follow_options_max_vertices);
+STATIC_CHECK(offsetof(mien_follow_options, max_scalar_modes) == 12, place_of_mien_follow_options_max_scalar_modes);
+STATIC_CHECK(offsetof(mien_follow_options, max_pca_modes) == 16, place_of_mien_follow_options_max_pca_modes);
+STATIC_CHECK(offsetof(mien_follow_options, reserved) == 20, place_of_mien_follow_options_reserved);
+STATIC_CHECK(offsetof(mien_follow_options, temporal_mm) == 24, place_of_mien_follow_options_temporal_mm);
+STATIC_CHECK(offsetof(mien_follow_options, sigma_start_mm) == 32, place_of_mien_follow_options_sigma_start_mm);
+STATIC_CHECK(offsetof(mien_follow_options, sigma_end_mm) == 40, place_of_mien_follow_options_sigma_end_mm);
+STATIC_CHECK(offsetof(mien_follow_options, lost_share) == 48, place_of_mien_follow_options_lost_share);
+STATIC_CHECK(offsetof(mien_follow_options, unit_to_mm) == 56, place_of_mien_follow_options_unit_to_mm);
+STATIC_CHECK(offsetof(mien_follow_options, focal_x) == 64, place_of_mien_follow_options_focal_x);
+STATIC_CHECK(offsetof(mien_follow_options, focal_y) == 72, place_of_mien_follow_options_focal_y);
+STATIC_CHECK(offsetof(mien_follow_options, centre_x) == 80, place_of_mien_follow_options_centre_x);
+STATIC_CHECK(offsetof(mien_follow_options, centre_y) == 88, place_of_mien_follow_options_centre_y);
+STATIC_CHECK(sizeof(mien_follow_state) == 32, size_of_mien_follow_state);
+STATIC_CHECK(offsetof(mien_follow_state, struct_size) == 0, place_of_mien_follow_state_struct_size);
+STATIC_CHECK(offsetof(mien_follow_state, state) == 4, place_of_mien_follow_state_state);
+STATIC_CHECK(offsetof(mien_follow_state, share) == 8, place_of_mien_follow_state_share);
+STATIC_CHECK(offsetof(mien_follow_state, residual_mm) == 16, place_of_mien_follow_state_residual_mm);
+STATIC_CHECK(offsetof(mien_follow_state, slide_mm) == 24, place_of_mien_follow_state_slide_mm);
 STATIC_CHECK(sizeof(mien_geodesic_options) == 40, size_of_mien_geodesic_options);
 STATIC_CHECK(offsetof(mien_geodesic_options, struct_size) == 0, place_of_mien_geodesic_options_struct_size);
 STATIC_CHECK(offsetof(mien_geodesic_options, heat_boundary) == 4, place_of_mien_geodesic_options_heat_boundary);
@@ -1161,6 +1189,180 @@ JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1measurement_1get_1mirror_1plane(JN
     return (jint)mien_measurement_get_mirror_plane((const mien_measurement*)(intptr_t)measurement, (mien_mirror_plane*)(intptr_t)out, (mien_error*)(intptr_t)error);
 }
 
+JNIEXPORT void JNICALL Java_mien_RawJni_mien_1register_1options_1init(JNIEnv *env, jobject self, jlong options, jlong struct_size) {
+    (void)env;
+    (void)self;
+    mien_register_options_init((mien_register_options*)(intptr_t)options, (size_t)struct_size);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1register(JNIEnv *env, jobject self, jlong session, jlong model, jlong scan, jlong options, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_register((mien_session*)(intptr_t)session, (const mien_model*)(intptr_t)model, (const mien_mesh*)(intptr_t)scan, (const mien_register_options*)(intptr_t)options, (mien_registration**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jlong JNICALL Java_mien_RawJni_mien_1registration_1mesh(JNIEnv *env, jobject self, jlong registration) {
+    (void)env;
+    (void)self;
+    return (jlong)(intptr_t)mien_registration_mesh((const mien_registration*)(intptr_t)registration);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1registration_1get_1verdict(JNIEnv *env, jobject self, jlong registration, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_registration_get_verdict((const mien_registration*)(intptr_t)registration, (mien_fit_verdict*)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1registration_1get_1expected_1error(JNIEnv *env, jobject self, jlong registration, jlong zone, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_registration_get_expected_error((const mien_registration*)(intptr_t)registration, (const char*)(intptr_t)zone, (mien_expected_error*)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1registration_1get_1field(JNIEnv *env, jobject self, jlong registration, jint field, jlong dst, jlong capacity, jlong count, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_registration_get_field((const mien_registration*)(intptr_t)registration, (int32_t)field, (double*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1registration_1get_1correspondence(JNIEnv *env, jobject self, jlong registration, jlong triangles, jlong barycentric, jlong capacity, jlong count, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_registration_get_correspondence((const mien_registration*)(intptr_t)registration, (uint32_t*)(intptr_t)triangles, (double*)(intptr_t)barycentric, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1registration_1get_1motion(JNIEnv *env, jobject self, jlong registration, jlong matrix, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_registration_get_motion((const mien_registration*)(intptr_t)registration, (double*)(intptr_t)matrix, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1registration_1get_1json(JNIEnv *env, jobject self, jlong registration, jlong dst, jlong capacity, jlong count, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_registration_get_json((const mien_registration*)(intptr_t)registration, (char*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1registration_1save(JNIEnv *env, jobject self, jlong session, jlong registration, jlong path, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_registration_save((mien_session*)(intptr_t)session, (const mien_registration*)(intptr_t)registration, (const char*)(intptr_t)path, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1registration_1load(JNIEnv *env, jobject self, jlong session, jlong path, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_registration_load((mien_session*)(intptr_t)session, (const char*)(intptr_t)path, (mien_registration**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1registration_1create(JNIEnv *env, jobject self, jlong session, jlong mesh, jlong weight, jlong residual, jlong standard_deviation, jint quality, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_registration_create((mien_session*)(intptr_t)session, (const mien_mesh*)(intptr_t)mesh, (const mien_array_view*)(intptr_t)weight, (const mien_array_view*)(intptr_t)residual, (const mien_array_view*)(intptr_t)standard_deviation, (int32_t)quality, (mien_registration**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT void JNICALL Java_mien_RawJni_mien_1registration_1retain(JNIEnv *env, jobject self, jlong registration) {
+    (void)env;
+    (void)self;
+    mien_registration_retain((mien_registration*)(intptr_t)registration);
+}
+
+JNIEXPORT void JNICALL Java_mien_RawJni_mien_1registration_1release(JNIEnv *env, jobject self, jlong registration) {
+    (void)env;
+    (void)self;
+    mien_registration_release((mien_registration*)(intptr_t)registration);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1surface_1transfer_1points(JNIEnv *env, jobject self, jlong session, jlong surface, jlong points, jdouble max_distance_mm, jlong triangles, jlong barycentric, jlong positions, jlong capacity, jlong count, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_surface_transfer_points((mien_session*)(intptr_t)session, (const mien_mesh*)(intptr_t)surface, (const mien_array_view*)(intptr_t)points, (double)max_distance_mm, (uint32_t*)(intptr_t)triangles, (double*)(intptr_t)barycentric, (double*)(intptr_t)positions, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1surface_1transfer_1zone(JNIEnv *env, jobject self, jlong session, jlong from, jlong vertices, jlong vertex_count, jlong to, jdouble max_distance_mm, jlong dst, jlong capacity, jlong count, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_surface_transfer_zone((mien_session*)(intptr_t)session, (const mien_mesh*)(intptr_t)from, (const uint32_t*)(intptr_t)vertices, (uint64_t)vertex_count, (const mien_mesh*)(intptr_t)to, (double)max_distance_mm, (uint32_t*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1surface_1transfer_1json(JNIEnv *env, jobject self, jlong session, jlong model, jlong fitted, jlong scan, jint what, jdouble max_distance_mm, jlong dst, jlong capacity, jlong count, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_surface_transfer_json((mien_session*)(intptr_t)session, (const mien_model*)(intptr_t)model, (const mien_mesh*)(intptr_t)fitted, (const mien_mesh*)(intptr_t)scan, (int32_t)what, (double)max_distance_mm, (char*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT void JNICALL Java_mien_RawJni_mien_1batch_1options_1init(JNIEnv *env, jobject self, jlong options, jlong struct_size) {
+    (void)env;
+    (void)self;
+    mien_batch_options_init((mien_batch_options*)(intptr_t)options, (size_t)struct_size);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1ready_1scan_1create(JNIEnv *env, jobject self, jlong session, jlong scan, jlong options, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_ready_scan_create((mien_session*)(intptr_t)session, (const mien_mesh*)(intptr_t)scan, (const mien_register_options*)(intptr_t)options, (mien_ready_scan**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1ready_1scan_1register(JNIEnv *env, jobject self, jlong session, jlong model, jlong scan, jlong options, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_ready_scan_register((mien_session*)(intptr_t)session, (const mien_model*)(intptr_t)model, (const mien_ready_scan*)(intptr_t)scan, (const mien_register_options*)(intptr_t)options, (mien_registration**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT void JNICALL Java_mien_RawJni_mien_1ready_1scan_1retain(JNIEnv *env, jobject self, jlong scan) {
+    (void)env;
+    (void)self;
+    mien_ready_scan_retain((mien_ready_scan*)(intptr_t)scan);
+}
+
+JNIEXPORT void JNICALL Java_mien_RawJni_mien_1ready_1scan_1release(JNIEnv *env, jobject self, jlong scan) {
+    (void)env;
+    (void)self;
+    mien_ready_scan_release((mien_ready_scan*)(intptr_t)scan);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1batch_1create(JNIEnv *env, jobject self, jlong session, jlong model, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_batch_create((mien_session*)(intptr_t)session, (const mien_model*)(intptr_t)model, (mien_batch**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1batch_1add(JNIEnv *env, jobject self, jlong session, jlong batch, jlong scan, jlong options, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_batch_add((mien_session*)(intptr_t)session, (mien_batch*)(intptr_t)batch, (const mien_mesh*)(intptr_t)scan, (const mien_register_options*)(intptr_t)options, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1batch_1run(JNIEnv *env, jobject self, jlong session, jlong batch, jlong options, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_batch_run((mien_session*)(intptr_t)session, (mien_batch*)(intptr_t)batch, (const mien_batch_options*)(intptr_t)options, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1batch_1get_1counts(JNIEnv *env, jobject self, jlong batch, jlong scan_count, jlong run_count, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_batch_get_counts((const mien_batch*)(intptr_t)batch, (uint32_t*)(intptr_t)scan_count, (uint32_t*)(intptr_t)run_count, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1batch_1get_1registration(JNIEnv *env, jobject self, jlong batch, jint index, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_batch_get_registration((const mien_batch*)(intptr_t)batch, (int32_t)index, (mien_registration**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT void JNICALL Java_mien_RawJni_mien_1batch_1retain(JNIEnv *env, jobject self, jlong batch) {
+    (void)env;
+    (void)self;
+    mien_batch_retain((mien_batch*)(intptr_t)batch);
+}
+
+JNIEXPORT void JNICALL Java_mien_RawJni_mien_1batch_1release(JNIEnv *env, jobject self, jlong batch) {
+    (void)env;
+    (void)self;
+    mien_batch_release((mien_batch*)(intptr_t)batch);
+}
+
 JNIEXPORT void JNICALL Java_mien_RawJni_mien_1spectral_1basis_1options_1init(JNIEnv *env, jobject self, jlong options, jlong struct_size) {
     (void)env;
     (void)self;
@@ -1365,108 +1567,6 @@ JNIEXPORT void JNICALL Java_mien_RawJni_mien_1dataset_1writer_1release(JNIEnv *e
     mien_dataset_writer_release((mien_dataset_writer*)(intptr_t)writer);
 }
 
-JNIEXPORT void JNICALL Java_mien_RawJni_mien_1register_1options_1init(JNIEnv *env, jobject self, jlong options, jlong struct_size) {
-    (void)env;
-    (void)self;
-    mien_register_options_init((mien_register_options*)(intptr_t)options, (size_t)struct_size);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1register(JNIEnv *env, jobject self, jlong session, jlong model, jlong scan, jlong options, jlong out, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_register((mien_session*)(intptr_t)session, (const mien_model*)(intptr_t)model, (const mien_mesh*)(intptr_t)scan, (const mien_register_options*)(intptr_t)options, (mien_registration**)(intptr_t)out, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jlong JNICALL Java_mien_RawJni_mien_1registration_1mesh(JNIEnv *env, jobject self, jlong registration) {
-    (void)env;
-    (void)self;
-    return (jlong)(intptr_t)mien_registration_mesh((const mien_registration*)(intptr_t)registration);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1registration_1get_1verdict(JNIEnv *env, jobject self, jlong registration, jlong out, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_registration_get_verdict((const mien_registration*)(intptr_t)registration, (mien_fit_verdict*)(intptr_t)out, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1registration_1get_1expected_1error(JNIEnv *env, jobject self, jlong registration, jlong zone, jlong out, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_registration_get_expected_error((const mien_registration*)(intptr_t)registration, (const char*)(intptr_t)zone, (mien_expected_error*)(intptr_t)out, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1registration_1get_1field(JNIEnv *env, jobject self, jlong registration, jint field, jlong dst, jlong capacity, jlong count, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_registration_get_field((const mien_registration*)(intptr_t)registration, (int32_t)field, (double*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1registration_1get_1correspondence(JNIEnv *env, jobject self, jlong registration, jlong triangles, jlong barycentric, jlong capacity, jlong count, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_registration_get_correspondence((const mien_registration*)(intptr_t)registration, (uint32_t*)(intptr_t)triangles, (double*)(intptr_t)barycentric, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1registration_1get_1motion(JNIEnv *env, jobject self, jlong registration, jlong matrix, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_registration_get_motion((const mien_registration*)(intptr_t)registration, (double*)(intptr_t)matrix, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1registration_1get_1json(JNIEnv *env, jobject self, jlong registration, jlong dst, jlong capacity, jlong count, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_registration_get_json((const mien_registration*)(intptr_t)registration, (char*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1registration_1save(JNIEnv *env, jobject self, jlong session, jlong registration, jlong path, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_registration_save((mien_session*)(intptr_t)session, (const mien_registration*)(intptr_t)registration, (const char*)(intptr_t)path, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1registration_1load(JNIEnv *env, jobject self, jlong session, jlong path, jlong out, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_registration_load((mien_session*)(intptr_t)session, (const char*)(intptr_t)path, (mien_registration**)(intptr_t)out, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1registration_1create(JNIEnv *env, jobject self, jlong session, jlong mesh, jlong weight, jlong residual, jlong standard_deviation, jint quality, jlong out, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_registration_create((mien_session*)(intptr_t)session, (const mien_mesh*)(intptr_t)mesh, (const mien_array_view*)(intptr_t)weight, (const mien_array_view*)(intptr_t)residual, (const mien_array_view*)(intptr_t)standard_deviation, (int32_t)quality, (mien_registration**)(intptr_t)out, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT void JNICALL Java_mien_RawJni_mien_1registration_1retain(JNIEnv *env, jobject self, jlong registration) {
-    (void)env;
-    (void)self;
-    mien_registration_retain((mien_registration*)(intptr_t)registration);
-}
-
-JNIEXPORT void JNICALL Java_mien_RawJni_mien_1registration_1release(JNIEnv *env, jobject self, jlong registration) {
-    (void)env;
-    (void)self;
-    mien_registration_release((mien_registration*)(intptr_t)registration);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1surface_1transfer_1points(JNIEnv *env, jobject self, jlong session, jlong surface, jlong points, jdouble max_distance_mm, jlong triangles, jlong barycentric, jlong positions, jlong capacity, jlong count, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_surface_transfer_points((mien_session*)(intptr_t)session, (const mien_mesh*)(intptr_t)surface, (const mien_array_view*)(intptr_t)points, (double)max_distance_mm, (uint32_t*)(intptr_t)triangles, (double*)(intptr_t)barycentric, (double*)(intptr_t)positions, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1surface_1transfer_1zone(JNIEnv *env, jobject self, jlong session, jlong from, jlong vertices, jlong vertex_count, jlong to, jdouble max_distance_mm, jlong dst, jlong capacity, jlong count, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_surface_transfer_zone((mien_session*)(intptr_t)session, (const mien_mesh*)(intptr_t)from, (const uint32_t*)(intptr_t)vertices, (uint64_t)vertex_count, (const mien_mesh*)(intptr_t)to, (double)max_distance_mm, (uint32_t*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
-}
-
-JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1surface_1transfer_1json(JNIEnv *env, jobject self, jlong session, jlong model, jlong fitted, jlong scan, jint what, jdouble max_distance_mm, jlong dst, jlong capacity, jlong count, jlong error) {
-    (void)env;
-    (void)self;
-    return (jint)mien_surface_transfer_json((mien_session*)(intptr_t)session, (const mien_model*)(intptr_t)model, (const mien_mesh*)(intptr_t)fitted, (const mien_mesh*)(intptr_t)scan, (int32_t)what, (double)max_distance_mm, (char*)(intptr_t)dst, (uint64_t)capacity, (uint64_t*)(intptr_t)count, (mien_error*)(intptr_t)error);
-}
-
 JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1expression_1model_1load(JNIEnv *env, jobject self, jlong session, jlong path, jlong out, jlong error) {
     (void)env;
     (void)self;
@@ -1615,6 +1715,48 @@ JNIEXPORT void JNICALL Java_mien_RawJni_mien_1evaluation_1release(JNIEnv *env, j
     (void)env;
     (void)self;
     mien_evaluation_release((mien_evaluation*)(intptr_t)evaluation);
+}
+
+JNIEXPORT void JNICALL Java_mien_RawJni_mien_1follow_1options_1init(JNIEnv *env, jobject self, jlong options, jlong struct_size) {
+    (void)env;
+    (void)self;
+    mien_follow_options_init((mien_follow_options*)(intptr_t)options, (size_t)struct_size);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1follower_1create(JNIEnv *env, jobject self, jlong session, jlong model, jlong start, jlong options, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_follower_create((mien_session*)(intptr_t)session, (const mien_model*)(intptr_t)model, (const mien_registration*)(intptr_t)start, (const mien_follow_options*)(intptr_t)options, (mien_follower**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1follower_1fit(JNIEnv *env, jobject self, jlong session, jlong follower, jlong points, jint width, jint height, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_follower_fit((mien_session*)(intptr_t)session, (mien_follower*)(intptr_t)follower, (const mien_array_view*)(intptr_t)points, (int32_t)width, (int32_t)height, (mien_follow_state*)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1follower_1get_1mesh(JNIEnv *env, jobject self, jlong follower, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_follower_get_mesh((const mien_follower*)(intptr_t)follower, (mien_mesh**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1follower_1get_1motion(JNIEnv *env, jobject self, jlong follower, jlong matrix, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_follower_get_motion((const mien_follower*)(intptr_t)follower, (double*)(intptr_t)matrix, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT void JNICALL Java_mien_RawJni_mien_1follower_1retain(JNIEnv *env, jobject self, jlong follower) {
+    (void)env;
+    (void)self;
+    mien_follower_retain((mien_follower*)(intptr_t)follower);
+}
+
+JNIEXPORT void JNICALL Java_mien_RawJni_mien_1follower_1release(JNIEnv *env, jobject self, jlong follower) {
+    (void)env;
+    (void)self;
+    mien_follower_release((mien_follower*)(intptr_t)follower);
 }
 
 JNIEXPORT void JNICALL Java_mien_RawJni_mien_1geodesic_1options_1init(JNIEnv *env, jobject self, jlong options, jlong struct_size) {

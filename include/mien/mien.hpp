@@ -5,8 +5,10 @@
 
 #include "detail/anthropometry.hpp"
 #include "detail/appearance.hpp"
+#include "detail/batch.hpp"
 #include "detail/core.hpp"
 #include "detail/expression.hpp"
+#include "detail/follow.hpp"
 #include "detail/landmarks.hpp"
 #include "detail/lifetime.hpp"
 #include "detail/measure.hpp"

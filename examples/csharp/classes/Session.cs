@@ -433,6 +433,137 @@ namespace Mien
             return Task.Run(() => MeasureAsymmetry(face, templateMesh, options, progress, cancellationToken), cancellationToken);
         }
 
+        /// <summary>Fits a model's template to a scan: start, then rounds of closest points, robust weights and a weighted solve
+        /// with the model's prior, at falling noise levels; then a smooth field for the rest of the gap. A fit that cannot
+        /// be trusted is not an error: ask mien_registration_get_verdict().</summary>
+        /// <param name="scan">a surface or a cloud of points, any connectivity, any frame; its unit is detected (options.units), any rotation
+        /// is found.</param>
+        /// <param name="options">may be left out: no landmarks, all defaults.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (nothing left after cleaning),
+        /// MIEN_E_MISMATCH (scan_weights; landmarks whose left and right are exchanged), MIEN_E_NOT_FOUND (start by
+        /// landmarks, fewer than three known to the model), MIEN_E_NO_SOLUTION, MIEN_E_UNSUPPORTED_OPTION,
+        /// MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED, MIEN_E_CALLBACK</exception>
+        /// <remarks>C: mien_register()</remarks>
+        public Registration Register(Model model, Mesh scan, RegisterOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            using (var call = new Call())
+            {
+                call.Lock(this);
+                var sessionAt = call.Use(this);
+                var modelAt = call.Use(model);
+                var scanAt = call.Use(scan);
+                var optionsAt = (options ?? new RegisterOptions()).Write(call, progress, cancellationToken);
+                var outAt = call.Room(8);
+                call.Check(Functions.mien_register(sessionAt, modelAt, scanAt, optionsAt, outAt, call.Error));
+                return call.Keep(new Registration(call.Pointer(outAt)));
+            }
+        }
+
+        /// <summary>Fits a model's template to a scan: start, then rounds of closest points, robust weights and a weighted solve
+        /// with the model's prior, at falling noise levels; then a smooth field for the rest of the gap. A fit that cannot
+        /// be trusted is not an error: ask mien_registration_get_verdict().</summary>
+        /// <param name="scan">a surface or a cloud of points, any connectivity, any frame; its unit is detected (options.units), any rotation
+        /// is found.</param>
+        /// <param name="options">may be left out: no landmarks, all defaults.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (nothing left after cleaning),
+        /// MIEN_E_MISMATCH (scan_weights; landmarks whose left and right are exchanged), MIEN_E_NOT_FOUND (start by
+        /// landmarks, fewer than three known to the model), MIEN_E_NO_SOLUTION, MIEN_E_UNSUPPORTED_OPTION,
+        /// MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED, MIEN_E_CALLBACK</exception>
+        /// <remarks>C: mien_register()</remarks>
+        public Task<Registration> RegisterAsync(Model model, Mesh scan, RegisterOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            return Task.Run(() => Register(model, scan, options, progress, cancellationToken), cancellationToken);
+        }
+
+        /// <summary>Carries places (landmarks, points of a contour) from one surface to another in the same frame, e.g. from a
+        /// fitted template to the scan under it or back: for each the nearest place on the other surface.</summary>
+        /// <param name="surface">where the places go; a mesh or a cloud of points, mm.</param>
+        /// <param name="points">#P x 3, F32 or F64, mm.</param>
+        /// <param name="maxDistanceMm">farther places are lost (triangle 0xFFFFFFFF); 0: 10, below 0: no limit.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_surface_transfer_points()</remarks>
+        public SurfaceTransferPoints SurfaceTransferPoints(Mesh surface, Values points, double maxDistanceMm)
+        {
+            using (var call = new Call())
+            {
+                call.Lock(this);
+                var sessionAt = call.Use(this);
+                var surfaceAt = call.Use(surface);
+                var pointsAt = call.View(points, 3, "points");
+                var countAt = call.Room(8);
+                long capacity = call.FirstCapacity(3 * 8);
+                IntPtr trianglesAt;
+                IntPtr barycentricAt;
+                IntPtr positionsAt;
+                do {
+                    trianglesAt = call.Room(capacity * 4);
+                    barycentricAt = call.Room(capacity * 3 * 8);
+                    positionsAt = call.Room(capacity * 3 * 8);
+                } while ((capacity = call.More(Functions.mien_surface_transfer_points(sessionAt, surfaceAt, pointsAt, maxDistanceMm, trianglesAt, barycentricAt, positionsAt, (ulong)capacity, countAt, call.Error), capacity, countAt)) != 0);
+                var rows = call.Count(countAt);
+                return new SurfaceTransferPoints(call.ReadUints(trianglesAt, rows), call.ReadDoubles(barycentricAt, rows * 3), call.ReadDoubles(positionsAt, rows * 3));
+            }
+        }
+
+        /// <summary>Carries a zone from one surface to another in the same frame: the vertices of `to` whose nearest place on `from`
+        /// lies in the zone (barycentric share of its vertices at least one half), ascending.</summary>
+        /// <param name="from">with the zone's vertices.</param>
+        /// <param name="maxDistanceMm">farther vertices stay out; 0: 10, below 0: no limit.</param>
+        /// <param name="vertices">vertex_count vertex numbers of `from`</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (a fitted template without triangles),
+        /// MIEN_E_MISMATCH (a vertex that `from` does not have), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_surface_transfer_zone()</remarks>
+        public uint[] SurfaceTransferZone(Mesh from, Mesh to, double maxDistanceMm, uint[] vertices = null)
+        {
+            using (var call = new Call())
+            {
+                call.Lock(this);
+                var sessionAt = call.Use(this);
+                var fromAt = call.Use(from);
+                var vertexCount = call.Rows(vertices, 1, "vertices");
+                var verticesAt = call.Array(vertices);
+                var toAt = call.Use(to);
+                var countAt = call.Room(8);
+                long capacity = call.FirstCapacity(4);
+                IntPtr dstAt;
+                do {
+                    dstAt = call.Room(capacity * 4);
+                } while ((capacity = call.More(Functions.mien_surface_transfer_zone(sessionAt, fromAt, verticesAt, (ulong)vertexCount, toAt, maxDistanceMm, dstAt, (ulong)capacity, countAt, call.Error), capacity, countAt)) != 0);
+                var rows = call.Count(countAt);
+                return call.ReadUints(dstAt, rows);
+            }
+        }
+
+        /// <summary>A model's landmarks or zones, carried from its fitted template to a scan, as JSON text in the form of the
+        /// landmark and zone files: {"points": {name: [x, y, z]}, "distances_mm": {name: d}} or {"zones": {name: [scan
+        /// vertex, ...]}}.</summary>
+        /// <param name="model">whose landmarks and zones are meant.</param>
+        /// <param name="fitted">the model's template after registration.</param>
+        /// <param name="scan">in the frame of fitted, mm.</param>
+        /// <param name="what">MIEN_TRANSFER_LANDMARKS or MIEN_TRANSFER_ZONES.</param>
+        /// <param name="maxDistanceMm">farther places are left out; 0: 10, below 0: no limit.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (what), MIEN_E_MISMATCH (fitted is not
+        /// of the model), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_surface_transfer_json()</remarks>
+        public string SurfaceTransferJson(Model model, Mesh fitted, Mesh scan, Transfer what, double maxDistanceMm)
+        {
+            using (var call = new Call())
+            {
+                call.Lock(this);
+                var sessionAt = call.Use(this);
+                var modelAt = call.Use(model);
+                var fittedAt = call.Use(fitted);
+                var scanAt = call.Use(scan);
+                var countAt = call.Room(8);
+                long capacity = call.FirstCapacity(1);
+                IntPtr dstAt;
+                do {
+                    dstAt = call.Room(capacity);
+                } while ((capacity = call.More(Functions.mien_surface_transfer_json(sessionAt, modelAt, fittedAt, scanAt, (int)what, maxDistanceMm, dstAt, (ulong)capacity, countAt, call.Error), capacity, countAt)) != 0);
+                return call.ReadText(dstAt, call.Count(countAt));
+            }
+        }
+
         /// <summary>Splits a face at mode k: the mean moved by its low, and by its high frequencies. low + high - mean is the face.</summary>
         /// <param name="face">#V vertices, mm, aligned with the mean shape.</param>
         /// <param name="k">0 to the basis' modes.</param>
@@ -662,137 +793,6 @@ namespace Mien
                 var outAt = call.Room(8);
                 call.Check(Functions.mien_transfer_expression(sessionAt, sourceNeutralAt, sourceExpressionAt, targetNeutralAt, outAt, call.Error));
                 return call.Keep(new Mesh(call.Pointer(outAt)));
-            }
-        }
-
-        /// <summary>Fits a model's template to a scan: start, then rounds of closest points, robust weights and a weighted solve
-        /// with the model's prior, at falling noise levels; then a smooth field for the rest of the gap. A fit that cannot
-        /// be trusted is not an error: ask mien_registration_get_verdict().</summary>
-        /// <param name="scan">a surface or a cloud of points, any connectivity, any frame; its unit is detected (options.units), any rotation
-        /// is found.</param>
-        /// <param name="options">may be left out: no landmarks, all defaults.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (nothing left after cleaning),
-        /// MIEN_E_MISMATCH (scan_weights; landmarks whose left and right are exchanged), MIEN_E_NOT_FOUND (start by
-        /// landmarks, fewer than three known to the model), MIEN_E_NO_SOLUTION, MIEN_E_UNSUPPORTED_OPTION,
-        /// MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED, MIEN_E_CALLBACK</exception>
-        /// <remarks>C: mien_register()</remarks>
-        public Registration Register(Model model, Mesh scan, RegisterOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
-        {
-            using (var call = new Call())
-            {
-                call.Lock(this);
-                var sessionAt = call.Use(this);
-                var modelAt = call.Use(model);
-                var scanAt = call.Use(scan);
-                var optionsAt = (options ?? new RegisterOptions()).Write(call, progress, cancellationToken);
-                var outAt = call.Room(8);
-                call.Check(Functions.mien_register(sessionAt, modelAt, scanAt, optionsAt, outAt, call.Error));
-                return call.Keep(new Registration(call.Pointer(outAt)));
-            }
-        }
-
-        /// <summary>Fits a model's template to a scan: start, then rounds of closest points, robust weights and a weighted solve
-        /// with the model's prior, at falling noise levels; then a smooth field for the rest of the gap. A fit that cannot
-        /// be trusted is not an error: ask mien_registration_get_verdict().</summary>
-        /// <param name="scan">a surface or a cloud of points, any connectivity, any frame; its unit is detected (options.units), any rotation
-        /// is found.</param>
-        /// <param name="options">may be left out: no landmarks, all defaults.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (nothing left after cleaning),
-        /// MIEN_E_MISMATCH (scan_weights; landmarks whose left and right are exchanged), MIEN_E_NOT_FOUND (start by
-        /// landmarks, fewer than three known to the model), MIEN_E_NO_SOLUTION, MIEN_E_UNSUPPORTED_OPTION,
-        /// MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED, MIEN_E_CALLBACK</exception>
-        /// <remarks>C: mien_register()</remarks>
-        public Task<Registration> RegisterAsync(Model model, Mesh scan, RegisterOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
-        {
-            return Task.Run(() => Register(model, scan, options, progress, cancellationToken), cancellationToken);
-        }
-
-        /// <summary>Carries places (landmarks, points of a contour) from one surface to another in the same frame, e.g. from a
-        /// fitted template to the scan under it or back: for each the nearest place on the other surface.</summary>
-        /// <param name="surface">where the places go; a mesh or a cloud of points, mm.</param>
-        /// <param name="points">#P x 3, F32 or F64, mm.</param>
-        /// <param name="maxDistanceMm">farther places are lost (triangle 0xFFFFFFFF); 0: 10, below 0: no limit.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY</exception>
-        /// <remarks>C: mien_surface_transfer_points()</remarks>
-        public SurfaceTransferPoints SurfaceTransferPoints(Mesh surface, Values points, double maxDistanceMm)
-        {
-            using (var call = new Call())
-            {
-                call.Lock(this);
-                var sessionAt = call.Use(this);
-                var surfaceAt = call.Use(surface);
-                var pointsAt = call.View(points, 3, "points");
-                var countAt = call.Room(8);
-                long capacity = call.FirstCapacity(3 * 8);
-                IntPtr trianglesAt;
-                IntPtr barycentricAt;
-                IntPtr positionsAt;
-                do {
-                    trianglesAt = call.Room(capacity * 4);
-                    barycentricAt = call.Room(capacity * 3 * 8);
-                    positionsAt = call.Room(capacity * 3 * 8);
-                } while ((capacity = call.More(Functions.mien_surface_transfer_points(sessionAt, surfaceAt, pointsAt, maxDistanceMm, trianglesAt, barycentricAt, positionsAt, (ulong)capacity, countAt, call.Error), capacity, countAt)) != 0);
-                var rows = call.Count(countAt);
-                return new SurfaceTransferPoints(call.ReadUints(trianglesAt, rows), call.ReadDoubles(barycentricAt, rows * 3), call.ReadDoubles(positionsAt, rows * 3));
-            }
-        }
-
-        /// <summary>Carries a zone from one surface to another in the same frame: the vertices of `to` whose nearest place on `from`
-        /// lies in the zone (barycentric share of its vertices at least one half), ascending.</summary>
-        /// <param name="from">with the zone's vertices.</param>
-        /// <param name="maxDistanceMm">farther vertices stay out; 0: 10, below 0: no limit.</param>
-        /// <param name="vertices">vertex_count vertex numbers of `from`</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (a fitted template without triangles),
-        /// MIEN_E_MISMATCH (a vertex that `from` does not have), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY</exception>
-        /// <remarks>C: mien_surface_transfer_zone()</remarks>
-        public uint[] SurfaceTransferZone(Mesh from, Mesh to, double maxDistanceMm, uint[] vertices = null)
-        {
-            using (var call = new Call())
-            {
-                call.Lock(this);
-                var sessionAt = call.Use(this);
-                var fromAt = call.Use(from);
-                var vertexCount = call.Rows(vertices, 1, "vertices");
-                var verticesAt = call.Array(vertices);
-                var toAt = call.Use(to);
-                var countAt = call.Room(8);
-                long capacity = call.FirstCapacity(4);
-                IntPtr dstAt;
-                do {
-                    dstAt = call.Room(capacity * 4);
-                } while ((capacity = call.More(Functions.mien_surface_transfer_zone(sessionAt, fromAt, verticesAt, (ulong)vertexCount, toAt, maxDistanceMm, dstAt, (ulong)capacity, countAt, call.Error), capacity, countAt)) != 0);
-                var rows = call.Count(countAt);
-                return call.ReadUints(dstAt, rows);
-            }
-        }
-
-        /// <summary>A model's landmarks or zones, carried from its fitted template to a scan, as JSON text in the form of the
-        /// landmark and zone files: {"points": {name: [x, y, z]}, "distances_mm": {name: d}} or {"zones": {name: [scan
-        /// vertex, ...]}}.</summary>
-        /// <param name="model">whose landmarks and zones are meant.</param>
-        /// <param name="fitted">the model's template after registration.</param>
-        /// <param name="scan">in the frame of fitted, mm.</param>
-        /// <param name="what">MIEN_TRANSFER_LANDMARKS or MIEN_TRANSFER_ZONES.</param>
-        /// <param name="maxDistanceMm">farther places are left out; 0: 10, below 0: no limit.</param>
-        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (what), MIEN_E_MISMATCH (fitted is not
-        /// of the model), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY</exception>
-        /// <remarks>C: mien_surface_transfer_json()</remarks>
-        public string SurfaceTransferJson(Model model, Mesh fitted, Mesh scan, Transfer what, double maxDistanceMm)
-        {
-            using (var call = new Call())
-            {
-                call.Lock(this);
-                var sessionAt = call.Use(this);
-                var modelAt = call.Use(model);
-                var fittedAt = call.Use(fitted);
-                var scanAt = call.Use(scan);
-                var countAt = call.Room(8);
-                long capacity = call.FirstCapacity(1);
-                IntPtr dstAt;
-                do {
-                    dstAt = call.Room(capacity);
-                } while ((capacity = call.More(Functions.mien_surface_transfer_json(sessionAt, modelAt, fittedAt, scanAt, (int)what, maxDistanceMm, dstAt, (ulong)capacity, countAt, call.Error), capacity, countAt)) != 0);
-                return call.ReadText(dstAt, call.Count(countAt));
             }
         }
 

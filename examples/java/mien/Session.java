@@ -486,6 +486,150 @@ public final class Session extends NativeObject {
     }
 
     /**
+     * Fits a model's template to a scan: start, then rounds of closest points, robust weights and a weighted
+     * solve with the model's prior, at falling noise levels; then a smooth field for the rest of the gap. A fit
+     * that cannot be trusted is not an error: ask mien_registration_get_verdict(). C: mien_register().
+     * @param scan a surface or a cloud of points, any connectivity, any frame; its unit is detected
+     * (options.units), any rotation is found.
+     * @param options may be left out: no landmarks, all defaults.
+     * @param progress may be null; returns false to cancel
+     * @param cancel may be null; interrupting the thread cancels as well
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (nothing left
+     * after cleaning), MIEN_E_MISMATCH (scan_weights; landmarks whose left and right are exchanged),
+     * MIEN_E_NOT_FOUND (start by landmarks, fewer than three known to the model), MIEN_E_NO_SOLUTION,
+     * MIEN_E_UNSUPPORTED_OPTION, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED, MIEN_E_CALLBACK
+     */
+    public Registration register(Model model, Mesh scan, RegisterOptions options, Progress progress, Cancel cancel) {
+        try (Call call = new Call()) {
+            call.lock(this);
+            var sessionAt = call.use(this);
+            var modelAt = call.use(model);
+            var scanAt = call.use(scan);
+            var optionsAt = (options == null ? new RegisterOptions() : options).write(call, progress, cancel);
+            var outAt = call.room(8);
+            call.check(Raw.GET.mien_register(Memory.address(sessionAt), Memory.address(modelAt), Memory.address(scanAt), Memory.address(optionsAt), Memory.address(outAt), call.error()));
+            return call.keep(new Registration(call.pointer(outAt)));
+        }
+    }
+
+    /**
+     * Fits a model's template to a scan: start, then rounds of closest points, robust weights and a weighted
+     * solve with the model's prior, at falling noise levels; then a smooth field for the rest of the gap. A fit
+     * that cannot be trusted is not an error: ask mien_registration_get_verdict(). All else as by default.
+     */
+    public Registration register(Model model, Mesh scan) {
+        return register(model, scan, null, null, null);
+    }
+
+    /**
+     * Fits a model's template to a scan: start, then rounds of closest points, robust weights and a weighted
+     * solve with the model's prior, at falling noise levels; then a smooth field for the rest of the gap. A fit
+     * that cannot be trusted is not an error: ask mien_registration_get_verdict(). All else as by default.
+     */
+    public Registration register(Model model, Mesh scan, RegisterOptions options) {
+        return register(model, scan, options, null, null);
+    }
+
+    /**
+     * Carries places (landmarks, points of a contour) from one surface to another in the same frame, e.g. from a
+     * fitted template to the scan under it or back: for each the nearest place on the other surface. C:
+     * mien_surface_transfer_points().
+     * @param surface where the places go; a mesh or a cloud of points, mm.
+     * @param points #P x 3, F32 or F64, mm.
+     * @param maxDistanceMm farther places are lost (triangle 0xFFFFFFFF); 0: 10, below 0: no limit.
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MEMORY_BUDGET,
+     * MIEN_E_NO_MEMORY
+     */
+    public SurfaceTransferPoints surfaceTransferPoints(Mesh surface, Values points, double maxDistanceMm) {
+        try (Call call = new Call()) {
+            call.lock(this);
+            var sessionAt = call.use(this);
+            var surfaceAt = call.use(surface);
+            var pointsAt = call.view(points, 3, "points");
+            var countAt = call.room(8);
+            long capacity = call.firstCapacity(3 * 8);
+            Memory trianglesAt;
+            Memory barycentricAt;
+            Memory positionsAt;
+            do {
+                trianglesAt = call.room(capacity * 4);
+                barycentricAt = call.room(capacity * 3 * 8);
+                positionsAt = call.room(capacity * 3 * 8);
+            } while ((capacity = call.more(Raw.GET.mien_surface_transfer_points(Memory.address(sessionAt), Memory.address(surfaceAt), Memory.address(pointsAt), maxDistanceMm, Memory.address(trianglesAt), Memory.address(barycentricAt), Memory.address(positionsAt), capacity, Memory.address(countAt), call.error()), capacity, countAt)) != 0);
+            var rows = call.count(countAt);
+            return new SurfaceTransferPoints(call.readInts(trianglesAt, rows), call.readDoubles(barycentricAt, rows * 3), call.readDoubles(positionsAt, rows * 3));
+        }
+    }
+
+    /**
+     * Carries a zone from one surface to another in the same frame: the vertices of `to` whose nearest place on
+     * `from` lies in the zone (barycentric share of its vertices at least one half), ascending. C:
+     * mien_surface_transfer_zone().
+     * @param from with the zone's vertices.
+     * @param maxDistanceMm farther vertices stay out; 0: 10, below 0: no limit.
+     * @param vertices vertex_count vertex numbers of `from`
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (a fitted
+     * template without triangles), MIEN_E_MISMATCH (a vertex that `from` does not have), MIEN_E_MEMORY_BUDGET,
+     * MIEN_E_NO_MEMORY
+     */
+    public int[] surfaceTransferZone(Mesh from, Mesh to, double maxDistanceMm, int[] vertices) {
+        try (Call call = new Call()) {
+            call.lock(this);
+            var sessionAt = call.use(this);
+            var fromAt = call.use(from);
+            var vertexCount = call.rows(vertices, 1, "vertices");
+            var verticesAt = call.array(vertices);
+            var toAt = call.use(to);
+            var countAt = call.room(8);
+            long capacity = call.firstCapacity(4);
+            Memory dstAt;
+            do {
+                dstAt = call.room(capacity * 4);
+            } while ((capacity = call.more(Raw.GET.mien_surface_transfer_zone(Memory.address(sessionAt), Memory.address(fromAt), Memory.address(verticesAt), vertexCount, Memory.address(toAt), maxDistanceMm, Memory.address(dstAt), capacity, Memory.address(countAt), call.error()), capacity, countAt)) != 0);
+            var rows = call.count(countAt);
+            return call.readInts(dstAt, rows);
+        }
+    }
+
+    /**
+     * Carries a zone from one surface to another in the same frame: the vertices of `to` whose nearest place on
+     * `from` lies in the zone (barycentric share of its vertices at least one half), ascending. All else as by
+     * default.
+     */
+    public int[] surfaceTransferZone(Mesh from, Mesh to, double maxDistanceMm) {
+        return surfaceTransferZone(from, to, maxDistanceMm, null);
+    }
+
+    /**
+     * A model's landmarks or zones, carried from its fitted template to a scan, as JSON text in the form of the
+     * landmark and zone files: {"points": {name: [x, y, z]}, "distances_mm": {name: d}} or {"zones": {name: [scan
+     * vertex, ...]}}. C: mien_surface_transfer_json().
+     * @param model whose landmarks and zones are meant.
+     * @param fitted the model's template after registration.
+     * @param scan in the frame of fitted, mm.
+     * @param what MIEN_TRANSFER_LANDMARKS or MIEN_TRANSFER_ZONES. See Transfer.
+     * @param maxDistanceMm farther places are left out; 0: 10, below 0: no limit.
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (what),
+     * MIEN_E_MISMATCH (fitted is not of the model), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY
+     */
+    public String surfaceTransferJson(Model model, Mesh fitted, Mesh scan, int what, double maxDistanceMm) {
+        try (Call call = new Call()) {
+            call.lock(this);
+            var sessionAt = call.use(this);
+            var modelAt = call.use(model);
+            var fittedAt = call.use(fitted);
+            var scanAt = call.use(scan);
+            var countAt = call.room(8);
+            long capacity = call.firstCapacity(1);
+            Memory dstAt;
+            do {
+                dstAt = call.room(capacity);
+            } while ((capacity = call.more(Raw.GET.mien_surface_transfer_json(Memory.address(sessionAt), Memory.address(modelAt), Memory.address(fittedAt), Memory.address(scanAt), what, maxDistanceMm, Memory.address(dstAt), capacity, Memory.address(countAt), call.error()), capacity, countAt)) != 0);
+            return call.readText(dstAt, call.count(countAt));
+        }
+    }
+
+    /**
      * Splits a face at mode k: the mean moved by its low, and by its high frequencies. low + high - mean is the
      * face. C: mien_spectral_split().
      * @param face #V vertices, mm, aligned with the mean shape.
@@ -740,150 +884,6 @@ public final class Session extends NativeObject {
             var outAt = call.room(8);
             call.check(Raw.GET.mien_transfer_expression(Memory.address(sessionAt), Memory.address(sourceNeutralAt), Memory.address(sourceExpressionAt), Memory.address(targetNeutralAt), Memory.address(outAt), call.error()));
             return call.keep(new Mesh(call.pointer(outAt)));
-        }
-    }
-
-    /**
-     * Fits a model's template to a scan: start, then rounds of closest points, robust weights and a weighted
-     * solve with the model's prior, at falling noise levels; then a smooth field for the rest of the gap. A fit
-     * that cannot be trusted is not an error: ask mien_registration_get_verdict(). C: mien_register().
-     * @param scan a surface or a cloud of points, any connectivity, any frame; its unit is detected
-     * (options.units), any rotation is found.
-     * @param options may be left out: no landmarks, all defaults.
-     * @param progress may be null; returns false to cancel
-     * @param cancel may be null; interrupting the thread cancels as well
-     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (nothing left
-     * after cleaning), MIEN_E_MISMATCH (scan_weights; landmarks whose left and right are exchanged),
-     * MIEN_E_NOT_FOUND (start by landmarks, fewer than three known to the model), MIEN_E_NO_SOLUTION,
-     * MIEN_E_UNSUPPORTED_OPTION, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED, MIEN_E_CALLBACK
-     */
-    public Registration register(Model model, Mesh scan, RegisterOptions options, Progress progress, Cancel cancel) {
-        try (Call call = new Call()) {
-            call.lock(this);
-            var sessionAt = call.use(this);
-            var modelAt = call.use(model);
-            var scanAt = call.use(scan);
-            var optionsAt = (options == null ? new RegisterOptions() : options).write(call, progress, cancel);
-            var outAt = call.room(8);
-            call.check(Raw.GET.mien_register(Memory.address(sessionAt), Memory.address(modelAt), Memory.address(scanAt), Memory.address(optionsAt), Memory.address(outAt), call.error()));
-            return call.keep(new Registration(call.pointer(outAt)));
-        }
-    }
-
-    /**
-     * Fits a model's template to a scan: start, then rounds of closest points, robust weights and a weighted
-     * solve with the model's prior, at falling noise levels; then a smooth field for the rest of the gap. A fit
-     * that cannot be trusted is not an error: ask mien_registration_get_verdict(). All else as by default.
-     */
-    public Registration register(Model model, Mesh scan) {
-        return register(model, scan, null, null, null);
-    }
-
-    /**
-     * Fits a model's template to a scan: start, then rounds of closest points, robust weights and a weighted
-     * solve with the model's prior, at falling noise levels; then a smooth field for the rest of the gap. A fit
-     * that cannot be trusted is not an error: ask mien_registration_get_verdict(). All else as by default.
-     */
-    public Registration register(Model model, Mesh scan, RegisterOptions options) {
-        return register(model, scan, options, null, null);
-    }
-
-    /**
-     * Carries places (landmarks, points of a contour) from one surface to another in the same frame, e.g. from a
-     * fitted template to the scan under it or back: for each the nearest place on the other surface. C:
-     * mien_surface_transfer_points().
-     * @param surface where the places go; a mesh or a cloud of points, mm.
-     * @param points #P x 3, F32 or F64, mm.
-     * @param maxDistanceMm farther places are lost (triangle 0xFFFFFFFF); 0: 10, below 0: no limit.
-     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MEMORY_BUDGET,
-     * MIEN_E_NO_MEMORY
-     */
-    public SurfaceTransferPoints surfaceTransferPoints(Mesh surface, Values points, double maxDistanceMm) {
-        try (Call call = new Call()) {
-            call.lock(this);
-            var sessionAt = call.use(this);
-            var surfaceAt = call.use(surface);
-            var pointsAt = call.view(points, 3, "points");
-            var countAt = call.room(8);
-            long capacity = call.firstCapacity(3 * 8);
-            Memory trianglesAt;
-            Memory barycentricAt;
-            Memory positionsAt;
-            do {
-                trianglesAt = call.room(capacity * 4);
-                barycentricAt = call.room(capacity * 3 * 8);
-                positionsAt = call.room(capacity * 3 * 8);
-            } while ((capacity = call.more(Raw.GET.mien_surface_transfer_points(Memory.address(sessionAt), Memory.address(surfaceAt), Memory.address(pointsAt), maxDistanceMm, Memory.address(trianglesAt), Memory.address(barycentricAt), Memory.address(positionsAt), capacity, Memory.address(countAt), call.error()), capacity, countAt)) != 0);
-            var rows = call.count(countAt);
-            return new SurfaceTransferPoints(call.readInts(trianglesAt, rows), call.readDoubles(barycentricAt, rows * 3), call.readDoubles(positionsAt, rows * 3));
-        }
-    }
-
-    /**
-     * Carries a zone from one surface to another in the same frame: the vertices of `to` whose nearest place on
-     * `from` lies in the zone (barycentric share of its vertices at least one half), ascending. C:
-     * mien_surface_transfer_zone().
-     * @param from with the zone's vertices.
-     * @param maxDistanceMm farther vertices stay out; 0: 10, below 0: no limit.
-     * @param vertices vertex_count vertex numbers of `from`
-     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (a fitted
-     * template without triangles), MIEN_E_MISMATCH (a vertex that `from` does not have), MIEN_E_MEMORY_BUDGET,
-     * MIEN_E_NO_MEMORY
-     */
-    public int[] surfaceTransferZone(Mesh from, Mesh to, double maxDistanceMm, int[] vertices) {
-        try (Call call = new Call()) {
-            call.lock(this);
-            var sessionAt = call.use(this);
-            var fromAt = call.use(from);
-            var vertexCount = call.rows(vertices, 1, "vertices");
-            var verticesAt = call.array(vertices);
-            var toAt = call.use(to);
-            var countAt = call.room(8);
-            long capacity = call.firstCapacity(4);
-            Memory dstAt;
-            do {
-                dstAt = call.room(capacity * 4);
-            } while ((capacity = call.more(Raw.GET.mien_surface_transfer_zone(Memory.address(sessionAt), Memory.address(fromAt), Memory.address(verticesAt), vertexCount, Memory.address(toAt), maxDistanceMm, Memory.address(dstAt), capacity, Memory.address(countAt), call.error()), capacity, countAt)) != 0);
-            var rows = call.count(countAt);
-            return call.readInts(dstAt, rows);
-        }
-    }
-
-    /**
-     * Carries a zone from one surface to another in the same frame: the vertices of `to` whose nearest place on
-     * `from` lies in the zone (barycentric share of its vertices at least one half), ascending. All else as by
-     * default.
-     */
-    public int[] surfaceTransferZone(Mesh from, Mesh to, double maxDistanceMm) {
-        return surfaceTransferZone(from, to, maxDistanceMm, null);
-    }
-
-    /**
-     * A model's landmarks or zones, carried from its fitted template to a scan, as JSON text in the form of the
-     * landmark and zone files: {"points": {name: [x, y, z]}, "distances_mm": {name: d}} or {"zones": {name: [scan
-     * vertex, ...]}}. C: mien_surface_transfer_json().
-     * @param model whose landmarks and zones are meant.
-     * @param fitted the model's template after registration.
-     * @param scan in the frame of fitted, mm.
-     * @param what MIEN_TRANSFER_LANDMARKS or MIEN_TRANSFER_ZONES. See Transfer.
-     * @param maxDistanceMm farther places are left out; 0: 10, below 0: no limit.
-     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (what),
-     * MIEN_E_MISMATCH (fitted is not of the model), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY
-     */
-    public String surfaceTransferJson(Model model, Mesh fitted, Mesh scan, int what, double maxDistanceMm) {
-        try (Call call = new Call()) {
-            call.lock(this);
-            var sessionAt = call.use(this);
-            var modelAt = call.use(model);
-            var fittedAt = call.use(fitted);
-            var scanAt = call.use(scan);
-            var countAt = call.room(8);
-            long capacity = call.firstCapacity(1);
-            Memory dstAt;
-            do {
-                dstAt = call.room(capacity);
-            } while ((capacity = call.more(Raw.GET.mien_surface_transfer_json(Memory.address(sessionAt), Memory.address(modelAt), Memory.address(fittedAt), Memory.address(scanAt), what, maxDistanceMm, Memory.address(dstAt), capacity, Memory.address(countAt), call.error()), capacity, countAt)) != 0);
-            return call.readText(dstAt, call.count(countAt));
         }
     }
 

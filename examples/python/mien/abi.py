@@ -308,40 +308,6 @@ class MirrorPlane(ctypes.Structure):
     ]
 
 
-class SpectralBasisOptions(ctypes.Structure):
-    _fields_ = [
-        ("struct_size", ctypes.c_uint32),
-        ("mode_count", ctypes.c_uint32),
-        ("mass", ctypes.c_int32),
-        ("cotangents", ctypes.c_int32),
-        ("progress", ProgressFn),
-        ("progress_user", ctypes.c_void_p),
-        ("cancel", ctypes.c_void_p),
-    ]
-
-
-class BlendshapeOptions(ctypes.Structure):
-    _fields_ = [
-        ("struct_size", ctypes.c_uint32),
-        ("reserved", ctypes.c_uint32),
-        ("ridge", ctypes.c_double),
-        ("progress", ProgressFn),
-        ("progress_user", ctypes.c_void_p),
-        ("cancel", ctypes.c_void_p),
-    ]
-
-
-class BandChoice(ctypes.Structure):
-    _fields_ = [
-        ("k", ctypes.c_uint64),
-        ("l1_mm", ctypes.c_double),
-        ("dame", ctypes.c_double),
-        ("fmpd", ctypes.c_double),
-        ("on_front", ctypes.c_int32),
-        ("chosen", ctypes.c_int32),
-    ]
-
-
 class RegisterOptions(ctypes.Structure):
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
@@ -407,6 +373,50 @@ class ExpectedError(ctypes.Structure):
     ]
 
 
+class BatchOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("reserved", ctypes.c_uint32),
+        ("progress", ProgressFn),
+        ("progress_user", ctypes.c_void_p),
+        ("cancel", ctypes.c_void_p),
+    ]
+
+
+class SpectralBasisOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("mode_count", ctypes.c_uint32),
+        ("mass", ctypes.c_int32),
+        ("cotangents", ctypes.c_int32),
+        ("progress", ProgressFn),
+        ("progress_user", ctypes.c_void_p),
+        ("cancel", ctypes.c_void_p),
+    ]
+
+
+class BlendshapeOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("reserved", ctypes.c_uint32),
+        ("ridge", ctypes.c_double),
+        ("progress", ProgressFn),
+        ("progress_user", ctypes.c_void_p),
+        ("cancel", ctypes.c_void_p),
+    ]
+
+
+class BandChoice(ctypes.Structure):
+    _fields_ = [
+        ("k", ctypes.c_uint64),
+        ("l1_mm", ctypes.c_double),
+        ("dame", ctypes.c_double),
+        ("fmpd", ctypes.c_double),
+        ("on_front", ctypes.c_int32),
+        ("chosen", ctypes.c_int32),
+    ]
+
+
 class NeutralizeOptions(ctypes.Structure):
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
@@ -456,6 +466,36 @@ class EvaluateOptions(ctypes.Structure):
         ("cancel", ctypes.c_void_p),
         ("volume_zones", ctypes.c_void_p),
         ("volume_zone_count", ctypes.c_uint64),
+    ]
+
+
+class FollowOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("rounds", ctypes.c_int32),
+        ("max_vertices", ctypes.c_int32),
+        ("max_scalar_modes", ctypes.c_int32),
+        ("max_pca_modes", ctypes.c_int32),
+        ("reserved", ctypes.c_uint32),
+        ("temporal_mm", ctypes.c_double),
+        ("sigma_start_mm", ctypes.c_double),
+        ("sigma_end_mm", ctypes.c_double),
+        ("lost_share", ctypes.c_double),
+        ("unit_to_mm", ctypes.c_double),
+        ("focal_x", ctypes.c_double),
+        ("focal_y", ctypes.c_double),
+        ("centre_x", ctypes.c_double),
+        ("centre_y", ctypes.c_double),
+    ]
+
+
+class FollowState(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("state", ctypes.c_int32),
+        ("share", ctypes.c_double),
+        ("residual_mm", ctypes.c_double),
+        ("slide_mm", ctypes.c_double),
     ]
 
 
@@ -916,31 +956,6 @@ STRUCTS = {
         ("between_rad", "scalar", "double", (), ""),
         ("apart_mm", "scalar", "double", (), ""),
     ),
-    "mien_spectral_basis_options": (
-        ("struct_size", "struct_size", "uint32_t", (), ""),
-        ("mode_count", "scalar", "uint32_t", (), ""),
-        ("mass", "scalar", "int32_t", (), "MASS"),
-        ("cotangents", "scalar", "int32_t", (), "COTANGENTS"),
-        ("progress", "callback", "mien_progress_fn", (), ""),
-        ("progress_user", "user", "void", (), ""),
-        ("cancel", "handle", "mien_cancel", (), ""),
-    ),
-    "mien_blendshape_options": (
-        ("struct_size", "struct_size", "uint32_t", (), ""),
-        ("reserved", "reserved", "uint32_t", (), ""),
-        ("ridge", "scalar", "double", (), ""),
-        ("progress", "callback", "mien_progress_fn", (), ""),
-        ("progress_user", "user", "void", (), ""),
-        ("cancel", "handle", "mien_cancel", (), ""),
-    ),
-    "mien_band_choice": (
-        ("k", "scalar", "uint64_t", (), ""),
-        ("l1_mm", "scalar", "double", (), ""),
-        ("dame", "scalar", "double", (), ""),
-        ("fmpd", "scalar", "double", (), ""),
-        ("on_front", "scalar", "int32_t", (), ""),
-        ("chosen", "scalar", "int32_t", (), ""),
-    ),
     "mien_register_options": (
         ("struct_size", "struct_size", "uint32_t", (), ""),
         ("growth", "scalar", "int32_t", (), "GROWTH"),
@@ -997,6 +1012,38 @@ STRUCTS = {
         ("high_mm", "scalar", "double", (), ""),
         ("unseen", "scalar", "double", (), ""),
     ),
+    "mien_batch_options": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("reserved", "reserved", "uint32_t", (), ""),
+        ("progress", "callback", "mien_progress_fn", (), ""),
+        ("progress_user", "user", "void", (), ""),
+        ("cancel", "handle", "mien_cancel", (), ""),
+    ),
+    "mien_spectral_basis_options": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("mode_count", "scalar", "uint32_t", (), ""),
+        ("mass", "scalar", "int32_t", (), "MASS"),
+        ("cotangents", "scalar", "int32_t", (), "COTANGENTS"),
+        ("progress", "callback", "mien_progress_fn", (), ""),
+        ("progress_user", "user", "void", (), ""),
+        ("cancel", "handle", "mien_cancel", (), ""),
+    ),
+    "mien_blendshape_options": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("reserved", "reserved", "uint32_t", (), ""),
+        ("ridge", "scalar", "double", (), ""),
+        ("progress", "callback", "mien_progress_fn", (), ""),
+        ("progress_user", "user", "void", (), ""),
+        ("cancel", "handle", "mien_cancel", (), ""),
+    ),
+    "mien_band_choice": (
+        ("k", "scalar", "uint64_t", (), ""),
+        ("l1_mm", "scalar", "double", (), ""),
+        ("dame", "scalar", "double", (), ""),
+        ("fmpd", "scalar", "double", (), ""),
+        ("on_front", "scalar", "int32_t", (), ""),
+        ("chosen", "scalar", "int32_t", (), ""),
+    ),
     "mien_neutralize_options": (
         ("struct_size", "struct_size", "uint32_t", (), ""),
         ("method", "scalar", "int32_t", (), "FIT"),
@@ -1039,6 +1086,30 @@ STRUCTS = {
         ("cancel", "handle", "mien_cancel", (), ""),
         ("volume_zones", "structs", "mien_zone", ('volume_zone_count',), ""),
         ("volume_zone_count", "count", "uint64_t", (), ""),
+    ),
+    "mien_follow_options": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("rounds", "scalar", "int32_t", (), ""),
+        ("max_vertices", "scalar", "int32_t", (), ""),
+        ("max_scalar_modes", "scalar", "int32_t", (), ""),
+        ("max_pca_modes", "scalar", "int32_t", (), ""),
+        ("reserved", "reserved", "uint32_t", (), ""),
+        ("temporal_mm", "scalar", "double", (), ""),
+        ("sigma_start_mm", "scalar", "double", (), ""),
+        ("sigma_end_mm", "scalar", "double", (), ""),
+        ("lost_share", "scalar", "double", (), ""),
+        ("unit_to_mm", "scalar", "double", (), ""),
+        ("focal_x", "scalar", "double", (), ""),
+        ("focal_y", "scalar", "double", (), ""),
+        ("centre_x", "scalar", "double", (), ""),
+        ("centre_y", "scalar", "double", (), ""),
+    ),
+    "mien_follow_state": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("state", "scalar", "int32_t", (), "FOLLOW"),
+        ("share", "scalar", "double", (), ""),
+        ("residual_mm", "scalar", "double", (), ""),
+        ("slide_mm", "scalar", "double", (), ""),
     ),
     "mien_geodesic_options": (
         ("struct_size", "struct_size", "uint32_t", (), ""),
@@ -1875,6 +1946,186 @@ FUNCTIONS = {
         ("out", "struct_out", "mien_mirror_plane", (), False, ""),
         ("error", "error", "mien_error", (), True, ""),
     )),
+    "mien_register_options_init": (None, (), (
+        ("options", "struct_out", "mien_register_options", (), False, ""),
+        ("struct_size", "struct_size", "size_t", (), False, ""),
+    )),
+    "mien_register": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("model", "handle", "mien_model", (), False, ""),
+        ("scan", "handle", "mien_mesh", (), False, ""),
+        ("options", "struct", "mien_register_options", (), True, ""),
+        ("out", "handle_out", "mien_registration", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_registration_mesh": (ctypes.c_void_p, (), (
+        ("registration", "handle", "mien_registration", (), True, ""),
+    )),
+    "mien_registration_get_verdict": (ctypes.c_int32, (), (
+        ("registration", "handle", "mien_registration", (), False, ""),
+        ("out", "struct_out", "mien_fit_verdict", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_registration_get_expected_error": (ctypes.c_int32, (), (
+        ("registration", "handle", "mien_registration", (), False, ""),
+        ("zone", "text", "char", (), True, ""),
+        ("out", "struct_out", "mien_expected_error", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_registration_get_field": (ctypes.c_int32, (), (
+        ("registration", "handle", "mien_registration", (), False, ""),
+        ("field", "scalar", "int32_t", (), False, "REGISTRATION"),
+        ("dst", "array_out", "double", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_registration_get_correspondence": (ctypes.c_int32, (), (
+        ("registration", "handle", "mien_registration", (), False, ""),
+        ("triangles", "array_out", "uint32_t", ('capacity',), True, ""),
+        ("barycentric", "array_out", "double", ('capacity', 3), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_registration_get_motion": (ctypes.c_int32, (), (
+        ("registration", "handle", "mien_registration", (), False, ""),
+        ("matrix", "array_out", "double", (16,), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_registration_get_json": (ctypes.c_int32, (), (
+        ("registration", "handle", "mien_registration", (), False, ""),
+        ("dst", "text_out", "char", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_registration_save": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("registration", "handle", "mien_registration", (), False, ""),
+        ("path", "text", "char", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_registration_load": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("path", "text", "char", (), False, ""),
+        ("out", "handle_out", "mien_registration", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_registration_create": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("mesh", "handle", "mien_mesh", (), False, ""),
+        ("weight", "matrix", "mien_array_view", (1,), True, ""),
+        ("residual", "matrix", "mien_array_view", (1,), True, ""),
+        ("standard_deviation", "matrix", "mien_array_view", (1,), True, ""),
+        ("quality", "scalar", "int32_t", (), False, "QUALITY"),
+        ("out", "handle_out", "mien_registration", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_registration_retain": (None, (), (
+        ("registration", "handle", "mien_registration", (), True, ""),
+    )),
+    "mien_registration_release": (None, (), (
+        ("registration", "handle", "mien_registration", (), True, ""),
+    )),
+    "mien_surface_transfer_points": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("surface", "handle", "mien_mesh", (), False, ""),
+        ("points", "matrix", "mien_array_view", (3,), False, ""),
+        ("max_distance_mm", "scalar", "double", (), False, ""),
+        ("triangles", "array_out", "uint32_t", ('capacity',), True, ""),
+        ("barycentric", "array_out", "double", ('capacity', 3), True, ""),
+        ("positions", "array_out", "double", ('capacity', 3), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_surface_transfer_zone": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("from", "handle", "mien_mesh", (), False, ""),
+        ("vertices", "array", "uint32_t", ('vertex_count',), True, ""),
+        ("vertex_count", "count", "uint64_t", (), False, ""),
+        ("to", "handle", "mien_mesh", (), False, ""),
+        ("max_distance_mm", "scalar", "double", (), False, ""),
+        ("dst", "array_out", "uint32_t", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_surface_transfer_json": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("model", "handle", "mien_model", (), False, ""),
+        ("fitted", "handle", "mien_mesh", (), False, ""),
+        ("scan", "handle", "mien_mesh", (), False, ""),
+        ("what", "scalar", "int32_t", (), False, "TRANSFER"),
+        ("max_distance_mm", "scalar", "double", (), False, ""),
+        ("dst", "text_out", "char", ('capacity',), True, ""),
+        ("capacity", "capacity", "uint64_t", (), False, ""),
+        ("count", "count_out", "uint64_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_batch_options_init": (None, (), (
+        ("options", "struct_out", "mien_batch_options", (), False, ""),
+        ("struct_size", "struct_size", "size_t", (), False, ""),
+    )),
+    "mien_ready_scan_create": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("scan", "handle", "mien_mesh", (), False, ""),
+        ("options", "struct", "mien_register_options", (), True, ""),
+        ("out", "handle_out", "mien_ready_scan", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_ready_scan_register": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("model", "handle", "mien_model", (), False, ""),
+        ("scan", "handle", "mien_ready_scan", (), False, ""),
+        ("options", "struct", "mien_register_options", (), True, ""),
+        ("out", "handle_out", "mien_registration", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_ready_scan_retain": (None, (), (
+        ("scan", "handle", "mien_ready_scan", (), True, ""),
+    )),
+    "mien_ready_scan_release": (None, (), (
+        ("scan", "handle", "mien_ready_scan", (), True, ""),
+    )),
+    "mien_batch_create": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("model", "handle", "mien_model", (), False, ""),
+        ("out", "handle_out", "mien_batch", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_batch_add": (ctypes.c_int32, ('session', 'batch'), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("batch", "handle", "mien_batch", (), False, ""),
+        ("scan", "handle", "mien_mesh", (), False, ""),
+        ("options", "struct", "mien_register_options", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_batch_run": (ctypes.c_int32, ('session', 'batch'), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("batch", "handle", "mien_batch", (), False, ""),
+        ("options", "struct", "mien_batch_options", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_batch_get_counts": (ctypes.c_int32, ('batch',), (
+        ("batch", "handle", "mien_batch", (), False, ""),
+        ("scan_count", "scalar_out", "uint32_t", (), True, ""),
+        ("run_count", "scalar_out", "uint32_t", (), True, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_batch_get_registration": (ctypes.c_int32, ('batch',), (
+        ("batch", "handle", "mien_batch", (), False, ""),
+        ("index", "scalar", "int32_t", (), False, ""),
+        ("out", "handle_out", "mien_registration", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_batch_retain": (None, (), (
+        ("batch", "handle", "mien_batch", (), True, ""),
+    )),
+    "mien_batch_release": (None, (), (
+        ("batch", "handle", "mien_batch", (), True, ""),
+    )),
     "mien_spectral_basis_options_init": (None, (), (
         ("options", "struct_out", "mien_spectral_basis_options", (), False, ""),
         ("struct_size", "struct_size", "size_t", (), False, ""),
@@ -2109,124 +2360,6 @@ FUNCTIONS = {
     "mien_dataset_writer_release": (None, (), (
         ("writer", "handle", "mien_dataset_writer", (), True, ""),
     )),
-    "mien_register_options_init": (None, (), (
-        ("options", "struct_out", "mien_register_options", (), False, ""),
-        ("struct_size", "struct_size", "size_t", (), False, ""),
-    )),
-    "mien_register": (ctypes.c_int32, ('session',), (
-        ("session", "handle", "mien_session", (), False, ""),
-        ("model", "handle", "mien_model", (), False, ""),
-        ("scan", "handle", "mien_mesh", (), False, ""),
-        ("options", "struct", "mien_register_options", (), True, ""),
-        ("out", "handle_out", "mien_registration", (), False, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_registration_mesh": (ctypes.c_void_p, (), (
-        ("registration", "handle", "mien_registration", (), True, ""),
-    )),
-    "mien_registration_get_verdict": (ctypes.c_int32, (), (
-        ("registration", "handle", "mien_registration", (), False, ""),
-        ("out", "struct_out", "mien_fit_verdict", (), False, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_registration_get_expected_error": (ctypes.c_int32, (), (
-        ("registration", "handle", "mien_registration", (), False, ""),
-        ("zone", "text", "char", (), True, ""),
-        ("out", "struct_out", "mien_expected_error", (), False, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_registration_get_field": (ctypes.c_int32, (), (
-        ("registration", "handle", "mien_registration", (), False, ""),
-        ("field", "scalar", "int32_t", (), False, "REGISTRATION"),
-        ("dst", "array_out", "double", ('capacity',), True, ""),
-        ("capacity", "capacity", "uint64_t", (), False, ""),
-        ("count", "count_out", "uint64_t", (), True, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_registration_get_correspondence": (ctypes.c_int32, (), (
-        ("registration", "handle", "mien_registration", (), False, ""),
-        ("triangles", "array_out", "uint32_t", ('capacity',), True, ""),
-        ("barycentric", "array_out", "double", ('capacity', 3), True, ""),
-        ("capacity", "capacity", "uint64_t", (), False, ""),
-        ("count", "count_out", "uint64_t", (), True, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_registration_get_motion": (ctypes.c_int32, (), (
-        ("registration", "handle", "mien_registration", (), False, ""),
-        ("matrix", "array_out", "double", (16,), False, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_registration_get_json": (ctypes.c_int32, (), (
-        ("registration", "handle", "mien_registration", (), False, ""),
-        ("dst", "text_out", "char", ('capacity',), True, ""),
-        ("capacity", "capacity", "uint64_t", (), False, ""),
-        ("count", "count_out", "uint64_t", (), True, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_registration_save": (ctypes.c_int32, ('session',), (
-        ("session", "handle", "mien_session", (), False, ""),
-        ("registration", "handle", "mien_registration", (), False, ""),
-        ("path", "text", "char", (), False, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_registration_load": (ctypes.c_int32, ('session',), (
-        ("session", "handle", "mien_session", (), False, ""),
-        ("path", "text", "char", (), False, ""),
-        ("out", "handle_out", "mien_registration", (), False, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_registration_create": (ctypes.c_int32, ('session',), (
-        ("session", "handle", "mien_session", (), False, ""),
-        ("mesh", "handle", "mien_mesh", (), False, ""),
-        ("weight", "matrix", "mien_array_view", (1,), True, ""),
-        ("residual", "matrix", "mien_array_view", (1,), True, ""),
-        ("standard_deviation", "matrix", "mien_array_view", (1,), True, ""),
-        ("quality", "scalar", "int32_t", (), False, "QUALITY"),
-        ("out", "handle_out", "mien_registration", (), False, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_registration_retain": (None, (), (
-        ("registration", "handle", "mien_registration", (), True, ""),
-    )),
-    "mien_registration_release": (None, (), (
-        ("registration", "handle", "mien_registration", (), True, ""),
-    )),
-    "mien_surface_transfer_points": (ctypes.c_int32, ('session',), (
-        ("session", "handle", "mien_session", (), False, ""),
-        ("surface", "handle", "mien_mesh", (), False, ""),
-        ("points", "matrix", "mien_array_view", (3,), False, ""),
-        ("max_distance_mm", "scalar", "double", (), False, ""),
-        ("triangles", "array_out", "uint32_t", ('capacity',), True, ""),
-        ("barycentric", "array_out", "double", ('capacity', 3), True, ""),
-        ("positions", "array_out", "double", ('capacity', 3), True, ""),
-        ("capacity", "capacity", "uint64_t", (), False, ""),
-        ("count", "count_out", "uint64_t", (), True, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_surface_transfer_zone": (ctypes.c_int32, ('session',), (
-        ("session", "handle", "mien_session", (), False, ""),
-        ("from", "handle", "mien_mesh", (), False, ""),
-        ("vertices", "array", "uint32_t", ('vertex_count',), True, ""),
-        ("vertex_count", "count", "uint64_t", (), False, ""),
-        ("to", "handle", "mien_mesh", (), False, ""),
-        ("max_distance_mm", "scalar", "double", (), False, ""),
-        ("dst", "array_out", "uint32_t", ('capacity',), True, ""),
-        ("capacity", "capacity", "uint64_t", (), False, ""),
-        ("count", "count_out", "uint64_t", (), True, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
-    "mien_surface_transfer_json": (ctypes.c_int32, ('session',), (
-        ("session", "handle", "mien_session", (), False, ""),
-        ("model", "handle", "mien_model", (), False, ""),
-        ("fitted", "handle", "mien_mesh", (), False, ""),
-        ("scan", "handle", "mien_mesh", (), False, ""),
-        ("what", "scalar", "int32_t", (), False, "TRANSFER"),
-        ("max_distance_mm", "scalar", "double", (), False, ""),
-        ("dst", "text_out", "char", ('capacity',), True, ""),
-        ("capacity", "capacity", "uint64_t", (), False, ""),
-        ("count", "count_out", "uint64_t", (), True, ""),
-        ("error", "error", "mien_error", (), True, ""),
-    )),
     "mien_expression_model_load": (ctypes.c_int32, ('session',), (
         ("session", "handle", "mien_session", (), False, ""),
         ("path", "text", "char", (), False, ""),
@@ -2378,6 +2511,43 @@ FUNCTIONS = {
     )),
     "mien_evaluation_release": (None, (), (
         ("evaluation", "handle", "mien_evaluation", (), True, ""),
+    )),
+    "mien_follow_options_init": (None, (), (
+        ("options", "struct_out", "mien_follow_options", (), False, ""),
+        ("struct_size", "struct_size", "size_t", (), False, ""),
+    )),
+    "mien_follower_create": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("model", "handle", "mien_model", (), False, ""),
+        ("start", "handle", "mien_registration", (), False, ""),
+        ("options", "struct", "mien_follow_options", (), True, ""),
+        ("out", "handle_out", "mien_follower", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_follower_fit": (ctypes.c_int32, ('session', 'follower'), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("follower", "handle", "mien_follower", (), False, ""),
+        ("points", "matrix", "mien_array_view", (3,), False, ""),
+        ("width", "scalar", "int32_t", (), False, ""),
+        ("height", "scalar", "int32_t", (), False, ""),
+        ("out", "struct_out", "mien_follow_state", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_follower_get_mesh": (ctypes.c_int32, ('follower',), (
+        ("follower", "handle", "mien_follower", (), False, ""),
+        ("out", "handle_out", "mien_mesh", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_follower_get_motion": (ctypes.c_int32, ('follower',), (
+        ("follower", "handle", "mien_follower", (), False, ""),
+        ("matrix", "array_out", "double", (16,), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_follower_retain": (None, (), (
+        ("follower", "handle", "mien_follower", (), True, ""),
+    )),
+    "mien_follower_release": (None, (), (
+        ("follower", "handle", "mien_follower", (), True, ""),
     )),
     "mien_geodesic_options_init": (None, (), (
         ("options", "struct_out", "mien_geodesic_options", (), False, ""),

@@ -22,27 +22,44 @@ struct RegisterOptions {
     mien_register_options c;
 };
 
-/// A fitted template; copies share it.
-class Registration {
-  public:
-    Registration(const Session& session, const Model& model, const Mesh& scan,
-                 const RegisterOptions& settings = {}) {
-        mien_register_options options = settings.c;
-        std::vector<mien_scan_landmark> landmarks;
+namespace detail {
+
+/// The options as a call takes them; borrows the settings.
+struct RegisterCall {
+    explicit RegisterCall(const RegisterOptions& settings) : c(settings.c) {
         for (const ScanLandmark& landmark : settings.landmarks)
             landmarks.push_back(
                 {landmark.name.c_str(),
                  {landmark.position[0], landmark.position[1], landmark.position[2]}});
-        options.landmarks = landmarks.data();
-        options.landmark_count = landmarks.size();
+        c.landmarks = landmarks.data();
+        c.landmark_count = landmarks.size();
         if (!settings.scan_weights.empty())
-            options.scan_weights = {settings.scan_weights.data(), settings.scan_weights.size(), 0,
-                                    MIEN_DTYPE_F64, 0};
-        options.cancel = settings.cancel;
+            c.scan_weights = {settings.scan_weights.data(), settings.scan_weights.size(), 0,
+                              MIEN_DTYPE_F64, 0};
+        c.cancel = settings.cancel;
+    }
+    RegisterCall(const RegisterCall&) = delete;
+    RegisterCall& operator=(const RegisterCall&) = delete;
+
+    std::vector<mien_scan_landmark> landmarks;
+    mien_register_options c;
+};
+
+}  // namespace detail
+
+/// A fitted template; copies share it.
+class Registration {
+  public:
+    /// Takes over one reference.
+    explicit Registration(mien_registration* owned) : handle_(owned, mien_registration_release) {}
+    Registration(const Session& session, const Model& model, const Mesh& scan,
+                 const RegisterOptions& settings = {}) {
+        detail::RegisterCall options(settings);
         detail::ProgressBridge bridge(settings.progress);
-        bridge.install(options);
+        bridge.install(options.c);
         mien_registration* registration = nullptr;
-        bridge.call(mien_register, session.get(), model.get(), scan.get(), &options, &registration);
+        bridge.call(mien_register, session.get(), model.get(), scan.get(), &options.c,
+                    &registration);
         handle_ = std::shared_ptr<mien_registration>(registration, mien_registration_release);
     }
 

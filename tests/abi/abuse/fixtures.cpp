@@ -119,6 +119,11 @@ Fixtures::Fixtures() {
     const FunctionRow& add = *find_function("mien_dataset_writer_add");
     std::vector<Argument> face_of_writer;
     if (good_arguments(add, face_of_writer)) add.call(face_of_writer.data());
+    for (const char* name : {"mien_batch_add", "mien_batch_run"}) {  // a batch with a fit
+        const FunctionRow& row = *find_function(name);
+        std::vector<Argument> arguments;
+        if (good_arguments(row, arguments)) row.call(arguments.data());
+    }
     // What the loading functions read.
     for (const FunctionRow& row : functions()) {
         std::vector<Argument> arguments;

@@ -31,6 +31,7 @@ constexpr Setting kSettings[] = {
     {"mien_neutralize_options", "uncertainty", 1},
     {"mien_score_options", "folds", 3},
     {"mien_score_options", "max_components", 2},
+    {"mien_follow_options", "rounds", 1},
 };
 
 struct Number {
@@ -61,6 +62,8 @@ constexpr Number kNumbers[] = {
     {"", "stride", 2},
     {"", "radius", 2},
     {"", "k", 10},
+    {"follower_fit", "width", Fixtures::kSide},
+    {"follower_fit", "height", Fixtures::kVertices / Fixtures::kSide},
     {"", "metric", MIEN_METRIC_L1},
     {"", "what", MIEN_TRANSFER_LANDMARKS},
     {"", "close_rims", 1},
@@ -174,6 +177,11 @@ void shrink_settings(const StructRow& row, std::vector<std::uint64_t>& words) {
         std::memcpy(bytes + offsetof(mien_study_options, zone_count), &count, sizeof count);
         std::memcpy(bytes + offsetof(mien_study_options, stable_zones), &name, sizeof name);
         std::memcpy(bytes + offsetof(mien_study_options, stable_count), &count, sizeof count);
+    }
+    if (std::strcmp(row.name, "mien_follow_options") == 0) {  // the sheet is no camera's frame
+        const double focal = 100;
+        std::memcpy(bytes + offsetof(mien_follow_options, focal_x), &focal, sizeof focal);
+        std::memcpy(bytes + offsetof(mien_follow_options, focal_y), &focal, sizeof focal);
     }
     if (std::strcmp(row.name, "mien_tune_options") == 0) {
         static const double sigmas[] = {20, 40};

@@ -110,7 +110,8 @@ void abuse_fields(const Case& c, Fixtures& fixtures, Verdict& verdict) {
     }
 }
 
-/// A view with a value that is no number.
+/// A view with a value that is no number: refused, but for frames of a camera, where it says that
+/// nothing was seen.
 void abuse_values(const Case& c, Fixtures& fixtures, Verdict& verdict) {
     std::vector<double> positions(3 * Fixtures::kVertices, 1.0);
     for (const double bad :
@@ -119,11 +120,13 @@ void abuse_values(const Case& c, Fixtures& fixtures, Verdict& verdict) {
         auto structure = fixtures.structure(c.layout, 0, c.row.parameters[c.index].name);
         const auto* data = positions.data();
         std::memcpy(structure.data(), &data, sizeof data);
-        verdict.check(
-            call_with(c, fixtures, structure.data(), "values that are not finite", verdict) < 0,
-            c.row.name,
-            std::string(c.row.parameters[c.index].name) +
-                " with a value that is not finite is accepted");
+        const bool is_frame = std::strcmp(c.row.name, "mien_follower_fit") == 0;
+        const bool refused =
+            call_with(c, fixtures, structure.data(), "values that are not finite", verdict) < 0;
+        verdict.check(refused != is_frame, c.row.name,
+                      std::string(c.row.parameters[c.index].name) +
+                          " with a value that is not finite is " +
+                          (refused ? "refused" : "accepted"));
     }
 }
 

@@ -575,6 +575,151 @@ final class RawForeign implements Raw {
         try { return (int) mien_measurement_get_mirror_plane.invokeExact(measurement, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
     }
 
+    private final MethodHandle mien_register_options_init = library.find("mien_register_options_init", FunctionDescriptor.ofVoid(JAVA_LONG, JAVA_LONG));
+    @Override public void mien_register_options_init(long options, long structSize) {
+        try { mien_register_options_init.invokeExact(options, structSize); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_register = library.find("mien_register", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_register(long session, long model, long scan, long options, long out, long error) {
+        try { return (int) mien_register.invokeExact(session, model, scan, options, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_registration_mesh = library.find("mien_registration_mesh", FunctionDescriptor.of(JAVA_LONG, JAVA_LONG));
+    @Override public long mien_registration_mesh(long registration) {
+        try { return (long) mien_registration_mesh.invokeExact(registration); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_registration_get_verdict = library.find("mien_registration_get_verdict", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_registration_get_verdict(long registration, long out, long error) {
+        try { return (int) mien_registration_get_verdict.invokeExact(registration, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_registration_get_expected_error = library.find("mien_registration_get_expected_error", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_registration_get_expected_error(long registration, long zone, long out, long error) {
+        try { return (int) mien_registration_get_expected_error.invokeExact(registration, zone, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_registration_get_field = library.find("mien_registration_get_field", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_registration_get_field(long registration, int field, long dst, long capacity, long count, long error) {
+        try { return (int) mien_registration_get_field.invokeExact(registration, field, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_registration_get_correspondence = library.find("mien_registration_get_correspondence", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_registration_get_correspondence(long registration, long triangles, long barycentric, long capacity, long count, long error) {
+        try { return (int) mien_registration_get_correspondence.invokeExact(registration, triangles, barycentric, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_registration_get_motion = library.find("mien_registration_get_motion", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_registration_get_motion(long registration, long matrix, long error) {
+        try { return (int) mien_registration_get_motion.invokeExact(registration, matrix, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_registration_get_json = library.find("mien_registration_get_json", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_registration_get_json(long registration, long dst, long capacity, long count, long error) {
+        try { return (int) mien_registration_get_json.invokeExact(registration, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_registration_save = library.find("mien_registration_save", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_registration_save(long session, long registration, long path, long error) {
+        try { return (int) mien_registration_save.invokeExact(session, registration, path, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_registration_load = library.find("mien_registration_load", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_registration_load(long session, long path, long out, long error) {
+        try { return (int) mien_registration_load.invokeExact(session, path, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_registration_create = library.find("mien_registration_create", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_INT, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_registration_create(long session, long mesh, long weight, long residual, long standardDeviation, int quality, long out, long error) {
+        try { return (int) mien_registration_create.invokeExact(session, mesh, weight, residual, standardDeviation, quality, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_registration_retain = library.find("mien_registration_retain", FunctionDescriptor.ofVoid(JAVA_LONG));
+    @Override public void mien_registration_retain(long registration) {
+        try { mien_registration_retain.invokeExact(registration); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_registration_release = library.find("mien_registration_release", FunctionDescriptor.ofVoid(JAVA_LONG));
+    @Override public void mien_registration_release(long registration) {
+        try { mien_registration_release.invokeExact(registration); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_surface_transfer_points = library.find("mien_surface_transfer_points", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_DOUBLE, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_surface_transfer_points(long session, long surface, long points, double maxDistanceMm, long triangles, long barycentric, long positions, long capacity, long count, long error) {
+        try { return (int) mien_surface_transfer_points.invokeExact(session, surface, points, maxDistanceMm, triangles, barycentric, positions, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_surface_transfer_zone = library.find("mien_surface_transfer_zone", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_DOUBLE, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_surface_transfer_zone(long session, long from, long vertices, long vertexCount, long to, double maxDistanceMm, long dst, long capacity, long count, long error) {
+        try { return (int) mien_surface_transfer_zone.invokeExact(session, from, vertices, vertexCount, to, maxDistanceMm, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_surface_transfer_json = library.find("mien_surface_transfer_json", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_INT, JAVA_DOUBLE, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_surface_transfer_json(long session, long model, long fitted, long scan, int what, double maxDistanceMm, long dst, long capacity, long count, long error) {
+        try { return (int) mien_surface_transfer_json.invokeExact(session, model, fitted, scan, what, maxDistanceMm, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_batch_options_init = library.find("mien_batch_options_init", FunctionDescriptor.ofVoid(JAVA_LONG, JAVA_LONG));
+    @Override public void mien_batch_options_init(long options, long structSize) {
+        try { mien_batch_options_init.invokeExact(options, structSize); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_ready_scan_create = library.find("mien_ready_scan_create", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_ready_scan_create(long session, long scan, long options, long out, long error) {
+        try { return (int) mien_ready_scan_create.invokeExact(session, scan, options, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_ready_scan_register = library.find("mien_ready_scan_register", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_ready_scan_register(long session, long model, long scan, long options, long out, long error) {
+        try { return (int) mien_ready_scan_register.invokeExact(session, model, scan, options, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_ready_scan_retain = library.find("mien_ready_scan_retain", FunctionDescriptor.ofVoid(JAVA_LONG));
+    @Override public void mien_ready_scan_retain(long scan) {
+        try { mien_ready_scan_retain.invokeExact(scan); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_ready_scan_release = library.find("mien_ready_scan_release", FunctionDescriptor.ofVoid(JAVA_LONG));
+    @Override public void mien_ready_scan_release(long scan) {
+        try { mien_ready_scan_release.invokeExact(scan); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_batch_create = library.find("mien_batch_create", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_batch_create(long session, long model, long out, long error) {
+        try { return (int) mien_batch_create.invokeExact(session, model, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_batch_add = library.find("mien_batch_add", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_batch_add(long session, long batch, long scan, long options, long error) {
+        try { return (int) mien_batch_add.invokeExact(session, batch, scan, options, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_batch_run = library.find("mien_batch_run", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_batch_run(long session, long batch, long options, long error) {
+        try { return (int) mien_batch_run.invokeExact(session, batch, options, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_batch_get_counts = library.find("mien_batch_get_counts", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_batch_get_counts(long batch, long scanCount, long runCount, long error) {
+        try { return (int) mien_batch_get_counts.invokeExact(batch, scanCount, runCount, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_batch_get_registration = library.find("mien_batch_get_registration", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_INT, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_batch_get_registration(long batch, int index, long out, long error) {
+        try { return (int) mien_batch_get_registration.invokeExact(batch, index, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_batch_retain = library.find("mien_batch_retain", FunctionDescriptor.ofVoid(JAVA_LONG));
+    @Override public void mien_batch_retain(long batch) {
+        try { mien_batch_retain.invokeExact(batch); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_batch_release = library.find("mien_batch_release", FunctionDescriptor.ofVoid(JAVA_LONG));
+    @Override public void mien_batch_release(long batch) {
+        try { mien_batch_release.invokeExact(batch); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
     private final MethodHandle mien_spectral_basis_options_init = library.find("mien_spectral_basis_options_init", FunctionDescriptor.ofVoid(JAVA_LONG, JAVA_LONG));
     @Override public void mien_spectral_basis_options_init(long options, long structSize) {
         try { mien_spectral_basis_options_init.invokeExact(options, structSize); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
@@ -745,91 +890,6 @@ final class RawForeign implements Raw {
         try { mien_dataset_writer_release.invokeExact(writer); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
     }
 
-    private final MethodHandle mien_register_options_init = library.find("mien_register_options_init", FunctionDescriptor.ofVoid(JAVA_LONG, JAVA_LONG));
-    @Override public void mien_register_options_init(long options, long structSize) {
-        try { mien_register_options_init.invokeExact(options, structSize); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_register = library.find("mien_register", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_register(long session, long model, long scan, long options, long out, long error) {
-        try { return (int) mien_register.invokeExact(session, model, scan, options, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_registration_mesh = library.find("mien_registration_mesh", FunctionDescriptor.of(JAVA_LONG, JAVA_LONG));
-    @Override public long mien_registration_mesh(long registration) {
-        try { return (long) mien_registration_mesh.invokeExact(registration); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_registration_get_verdict = library.find("mien_registration_get_verdict", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_registration_get_verdict(long registration, long out, long error) {
-        try { return (int) mien_registration_get_verdict.invokeExact(registration, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_registration_get_expected_error = library.find("mien_registration_get_expected_error", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_registration_get_expected_error(long registration, long zone, long out, long error) {
-        try { return (int) mien_registration_get_expected_error.invokeExact(registration, zone, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_registration_get_field = library.find("mien_registration_get_field", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_registration_get_field(long registration, int field, long dst, long capacity, long count, long error) {
-        try { return (int) mien_registration_get_field.invokeExact(registration, field, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_registration_get_correspondence = library.find("mien_registration_get_correspondence", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_registration_get_correspondence(long registration, long triangles, long barycentric, long capacity, long count, long error) {
-        try { return (int) mien_registration_get_correspondence.invokeExact(registration, triangles, barycentric, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_registration_get_motion = library.find("mien_registration_get_motion", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_registration_get_motion(long registration, long matrix, long error) {
-        try { return (int) mien_registration_get_motion.invokeExact(registration, matrix, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_registration_get_json = library.find("mien_registration_get_json", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_registration_get_json(long registration, long dst, long capacity, long count, long error) {
-        try { return (int) mien_registration_get_json.invokeExact(registration, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_registration_save = library.find("mien_registration_save", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_registration_save(long session, long registration, long path, long error) {
-        try { return (int) mien_registration_save.invokeExact(session, registration, path, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_registration_load = library.find("mien_registration_load", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_registration_load(long session, long path, long out, long error) {
-        try { return (int) mien_registration_load.invokeExact(session, path, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_registration_create = library.find("mien_registration_create", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_INT, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_registration_create(long session, long mesh, long weight, long residual, long standardDeviation, int quality, long out, long error) {
-        try { return (int) mien_registration_create.invokeExact(session, mesh, weight, residual, standardDeviation, quality, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_registration_retain = library.find("mien_registration_retain", FunctionDescriptor.ofVoid(JAVA_LONG));
-    @Override public void mien_registration_retain(long registration) {
-        try { mien_registration_retain.invokeExact(registration); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_registration_release = library.find("mien_registration_release", FunctionDescriptor.ofVoid(JAVA_LONG));
-    @Override public void mien_registration_release(long registration) {
-        try { mien_registration_release.invokeExact(registration); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_surface_transfer_points = library.find("mien_surface_transfer_points", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_DOUBLE, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_surface_transfer_points(long session, long surface, long points, double maxDistanceMm, long triangles, long barycentric, long positions, long capacity, long count, long error) {
-        try { return (int) mien_surface_transfer_points.invokeExact(session, surface, points, maxDistanceMm, triangles, barycentric, positions, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_surface_transfer_zone = library.find("mien_surface_transfer_zone", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_DOUBLE, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_surface_transfer_zone(long session, long from, long vertices, long vertexCount, long to, double maxDistanceMm, long dst, long capacity, long count, long error) {
-        try { return (int) mien_surface_transfer_zone.invokeExact(session, from, vertices, vertexCount, to, maxDistanceMm, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
-    private final MethodHandle mien_surface_transfer_json = library.find("mien_surface_transfer_json", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_INT, JAVA_DOUBLE, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
-    @Override public int mien_surface_transfer_json(long session, long model, long fitted, long scan, int what, double maxDistanceMm, long dst, long capacity, long count, long error) {
-        try { return (int) mien_surface_transfer_json.invokeExact(session, model, fitted, scan, what, maxDistanceMm, dst, capacity, count, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
-    }
-
     private final MethodHandle mien_expression_model_load = library.find("mien_expression_model_load", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
     @Override public int mien_expression_model_load(long session, long path, long out, long error) {
         try { return (int) mien_expression_model_load.invokeExact(session, path, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
@@ -953,6 +1013,41 @@ final class RawForeign implements Raw {
     private final MethodHandle mien_evaluation_release = library.find("mien_evaluation_release", FunctionDescriptor.ofVoid(JAVA_LONG));
     @Override public void mien_evaluation_release(long evaluation) {
         try { mien_evaluation_release.invokeExact(evaluation); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_follow_options_init = library.find("mien_follow_options_init", FunctionDescriptor.ofVoid(JAVA_LONG, JAVA_LONG));
+    @Override public void mien_follow_options_init(long options, long structSize) {
+        try { mien_follow_options_init.invokeExact(options, structSize); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_follower_create = library.find("mien_follower_create", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_follower_create(long session, long model, long start, long options, long out, long error) {
+        try { return (int) mien_follower_create.invokeExact(session, model, start, options, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_follower_fit = library.find("mien_follower_fit", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_INT, JAVA_INT, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_follower_fit(long session, long follower, long points, int width, int height, long out, long error) {
+        try { return (int) mien_follower_fit.invokeExact(session, follower, points, width, height, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_follower_get_mesh = library.find("mien_follower_get_mesh", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_follower_get_mesh(long follower, long out, long error) {
+        try { return (int) mien_follower_get_mesh.invokeExact(follower, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_follower_get_motion = library.find("mien_follower_get_motion", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_follower_get_motion(long follower, long matrix, long error) {
+        try { return (int) mien_follower_get_motion.invokeExact(follower, matrix, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_follower_retain = library.find("mien_follower_retain", FunctionDescriptor.ofVoid(JAVA_LONG));
+    @Override public void mien_follower_retain(long follower) {
+        try { mien_follower_retain.invokeExact(follower); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_follower_release = library.find("mien_follower_release", FunctionDescriptor.ofVoid(JAVA_LONG));
+    @Override public void mien_follower_release(long follower) {
+        try { mien_follower_release.invokeExact(follower); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
     }
 
     private final MethodHandle mien_geodesic_options_init = library.find("mien_geodesic_options_init", FunctionDescriptor.ofVoid(JAVA_LONG, JAVA_LONG));

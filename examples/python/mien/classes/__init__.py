@@ -11,6 +11,9 @@ from .anthropometry_counts import AnthropometryCounts
 from .anthropometry_options import AnthropometryOptions
 from .asymmetry_options import AsymmetryOptions
 from .band_choice import BandChoice
+from .batch import Batch
+from .batch_counts import BatchCounts
+from .batch_options import BatchOptions
 from .blendshape_model import BlendshapeModel
 from .blendshape_options import BlendshapeOptions
 from .cancel import Cancel
@@ -27,6 +30,10 @@ from .features import Features
 from .field import Field
 from .fit import Fit
 from .fit_verdict import FitVerdict
+from .follow import Follow
+from .follow_options import FollowOptions
+from .follow_state import FollowState
+from .follower import Follower
 from .geodesic_options import GeodesicOptions
 from .growth import Growth
 from .heat import Heat
@@ -80,6 +87,7 @@ from .pls import Pls
 from .pose import Pose
 from .quality import Quality
 from .reading import Reading
+from .ready_scan import ReadyScan
 from .register_options import RegisterOptions
 from .registration import Registration
 from .registration_correspondence import RegistrationCorrespondence
@@ -139,6 +147,9 @@ __all__ = [
     "AnthropometryOptions",
     "AsymmetryOptions",
     "BandChoice",
+    "Batch",
+    "BatchCounts",
+    "BatchOptions",
     "BlendshapeModel",
     "BlendshapeOptions",
     "Cancel",
@@ -155,6 +166,10 @@ __all__ = [
     "Field",
     "Fit",
     "FitVerdict",
+    "Follow",
+    "FollowOptions",
+    "FollowState",
+    "Follower",
     "GeodesicOptions",
     "Growth",
     "Heat",
@@ -208,6 +223,7 @@ __all__ = [
     "Pose",
     "Quality",
     "Reading",
+    "ReadyScan",
     "RegisterOptions",
     "Registration",
     "RegistrationCorrespondence",
@@ -266,10 +282,10 @@ __all__ = [
 
 _enums = {"STATUS": Status, "STAGE": Stage, "LOG": Log, "DTYPE": Dtype, "KERNEL": KernelKind, "HEAT": Heat,
 "MARK": Mark, "MEASURE": Measure, "ZONE": ZoneKind, "FIELD": Field, "CARRY": Carry, "MIRROR_BY": MirrorBy,
-"MASS": Mass, "COTANGENTS": Cotangents, "METRIC": Metric, "GROWTH": Growth, "START": Start, "UNITS": Units,
-"SIDES": Sides, "QUALITY": Quality, "REGISTRATION": RegistrationKind, "TRANSFER": Transfer, "FIT": Fit,
-"POSE": Pose, "READING": Reading, "MAP": MapKind, "FEATURES": Features, "PLS": Pls, "SCORE_FEATURES":
-ScoreFeatures, "STUDY": StudyKind, "STUDY_FIELD": StudyField, "TRAIN": Train}
+"GROWTH": Growth, "START": Start, "UNITS": Units, "SIDES": Sides, "QUALITY": Quality, "REGISTRATION":
+RegistrationKind, "TRANSFER": Transfer, "MASS": Mass, "COTANGENTS": Cotangents, "METRIC": Metric, "FIT":
+Fit, "POSE": Pose, "READING": Reading, "FOLLOW": Follow, "MAP": MapKind, "FEATURES": Features, "PLS": Pls,
+"SCORE_FEATURES": ScoreFeatures, "STUDY": StudyKind, "STUDY_FIELD": StudyField, "TRAIN": Train}
 _register_classes(globals())
 # The modules' type hints name each other's classes.
 for _name in __all__:

@@ -188,6 +188,63 @@ class Session(_Object):
         """
         return _run("mien_measure_asymmetry", {"face": face, "template_mesh": template_mesh, "options": options, "session": self}, progress=progress, cancel=cancel)[0]
 
+    def register(self, model: Model, scan: Mesh, options: RegisterOptions | None = None, progress: Progress | None = None, cancel: Cancel | None = None) -> Registration:
+        """Fits a model's template to a scan: start, then rounds of closest points, robust weights and a weighted solve
+        with the model's prior, at falling noise levels; then a smooth field for the rest of the gap. A fit that
+        cannot be trusted is not an error: ask mien_registration_get_verdict().
+        scan: a surface or a cloud of points, any connectivity, any frame; its unit is detected (options.units),
+        any rotation is found.
+        options: may be left out: no landmarks, all defaults.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (nothing left after
+        cleaning), MIEN_E_MISMATCH (scan_weights; landmarks whose left and right are exchanged),
+        MIEN_E_NOT_FOUND (start by landmarks, fewer than three known to the model), MIEN_E_NO_SOLUTION,
+        MIEN_E_UNSUPPORTED_OPTION, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED, MIEN_E_CALLBACK.
+        C: mien_register()
+        """
+        return _run("mien_register", {"model": model, "scan": scan, "options": options, "session": self}, progress=progress, cancel=cancel)[0]
+
+    def surface_transfer_points(self, surface: Mesh, points: ArrayLike, max_distance_mm: float) -> SurfaceTransferPoints:
+        """Carries places (landmarks, points of a contour) from one surface to another in the same frame, e.g. from a
+        fitted template to the scan under it or back: for each the nearest place on the other surface.
+        surface: where the places go; a mesh or a cloud of points, mm.
+        points: #P x 3, F32 or F64, mm.
+        max_distance_mm: farther places are lost (triangle 0xFFFFFFFF); 0: 10, below 0: no limit.
+        triangles: triangle (cloud: vertex) numbers of `surface`.
+        barycentric: rows of 3 values.
+        positions: rows of 3 values in mm; a lost place keeps where it was.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY.
+        C: mien_surface_transfer_points()
+        """
+        return SurfaceTransferPoints(*_run("mien_surface_transfer_points", {"surface": surface, "points": points, "max_distance_mm": max_distance_mm, "session": self}))
+
+    def surface_transfer_zone(self, from_: Mesh, to: Mesh, max_distance_mm: float, vertices: ArrayLike | None = None) -> numpy.ndarray:
+        """Carries a zone from one surface to another in the same frame: the vertices of `to` whose nearest place on
+        `from` lies in the zone (barycentric share of its vertices at least one half), ascending.
+        from: with the zone's vertices.
+        vertices: vertex_count vertex numbers of `from`
+        max_distance_mm: farther vertices stay out; 0: 10, below 0: no limit.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (a fitted template
+        without triangles), MIEN_E_MISMATCH (a vertex that `from` does not have), MIEN_E_MEMORY_BUDGET,
+        MIEN_E_NO_MEMORY.
+        C: mien_surface_transfer_zone()
+        """
+        return _run("mien_surface_transfer_zone", {"from": from_, "to": to, "max_distance_mm": max_distance_mm, "vertices": vertices, "session": self})[0]
+
+    def surface_transfer_json(self, model: Model, fitted: Mesh, scan: Mesh, what: Transfer | int, max_distance_mm: float) -> str:
+        """A model's landmarks or zones, carried from its fitted template to a scan, as JSON text in the form of the
+        landmark and zone files: {"points": {name: [x, y, z]}, "distances_mm": {name: d}} or {"zones": {name: [scan
+        vertex, ...]}}.
+        model: whose landmarks and zones are meant.
+        fitted: the model's template after registration.
+        scan: in the frame of fitted, mm.
+        what: MIEN_TRANSFER_LANDMARKS or MIEN_TRANSFER_ZONES.
+        max_distance_mm: farther places are left out; 0: 10, below 0: no limit.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (what),
+        MIEN_E_MISMATCH (fitted is not of the model), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY.
+        C: mien_surface_transfer_json()
+        """
+        return _run("mien_surface_transfer_json", {"model": model, "fitted": fitted, "scan": scan, "what": what, "max_distance_mm": max_distance_mm, "session": self})[0]
+
     def spectral_split(self, basis: SpectralBasis, face: Mesh, k: int) -> SpectralSplit:
         """Splits a face at mode k: the mean moved by its low, and by its high frequencies. low + high - mean is the
         face.
@@ -298,63 +355,6 @@ class Session(_Object):
         C: mien_transfer_expression()
         """
         return _run("mien_transfer_expression", {"source_neutral": source_neutral, "source_expression": source_expression, "target_neutral": target_neutral, "session": self})[0]
-
-    def register(self, model: Model, scan: Mesh, options: RegisterOptions | None = None, progress: Progress | None = None, cancel: Cancel | None = None) -> Registration:
-        """Fits a model's template to a scan: start, then rounds of closest points, robust weights and a weighted solve
-        with the model's prior, at falling noise levels; then a smooth field for the rest of the gap. A fit that
-        cannot be trusted is not an error: ask mien_registration_get_verdict().
-        scan: a surface or a cloud of points, any connectivity, any frame; its unit is detected (options.units),
-        any rotation is found.
-        options: may be left out: no landmarks, all defaults.
-        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (nothing left after
-        cleaning), MIEN_E_MISMATCH (scan_weights; landmarks whose left and right are exchanged),
-        MIEN_E_NOT_FOUND (start by landmarks, fewer than three known to the model), MIEN_E_NO_SOLUTION,
-        MIEN_E_UNSUPPORTED_OPTION, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY, MIEN_E_CANCELLED, MIEN_E_CALLBACK.
-        C: mien_register()
-        """
-        return _run("mien_register", {"model": model, "scan": scan, "options": options, "session": self}, progress=progress, cancel=cancel)[0]
-
-    def surface_transfer_points(self, surface: Mesh, points: ArrayLike, max_distance_mm: float) -> SurfaceTransferPoints:
-        """Carries places (landmarks, points of a contour) from one surface to another in the same frame, e.g. from a
-        fitted template to the scan under it or back: for each the nearest place on the other surface.
-        surface: where the places go; a mesh or a cloud of points, mm.
-        points: #P x 3, F32 or F64, mm.
-        max_distance_mm: farther places are lost (triangle 0xFFFFFFFF); 0: 10, below 0: no limit.
-        triangles: triangle (cloud: vertex) numbers of `surface`.
-        barycentric: rows of 3 values.
-        positions: rows of 3 values in mm; a lost place keeps where it was.
-        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY.
-        C: mien_surface_transfer_points()
-        """
-        return SurfaceTransferPoints(*_run("mien_surface_transfer_points", {"surface": surface, "points": points, "max_distance_mm": max_distance_mm, "session": self}))
-
-    def surface_transfer_zone(self, from_: Mesh, to: Mesh, max_distance_mm: float, vertices: ArrayLike | None = None) -> numpy.ndarray:
-        """Carries a zone from one surface to another in the same frame: the vertices of `to` whose nearest place on
-        `from` lies in the zone (barycentric share of its vertices at least one half), ascending.
-        from: with the zone's vertices.
-        vertices: vertex_count vertex numbers of `from`
-        max_distance_mm: farther vertices stay out; 0: 10, below 0: no limit.
-        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH (a fitted template
-        without triangles), MIEN_E_MISMATCH (a vertex that `from` does not have), MIEN_E_MEMORY_BUDGET,
-        MIEN_E_NO_MEMORY.
-        C: mien_surface_transfer_zone()
-        """
-        return _run("mien_surface_transfer_zone", {"from": from_, "to": to, "max_distance_mm": max_distance_mm, "vertices": vertices, "session": self})[0]
-
-    def surface_transfer_json(self, model: Model, fitted: Mesh, scan: Mesh, what: Transfer | int, max_distance_mm: float) -> str:
-        """A model's landmarks or zones, carried from its fitted template to a scan, as JSON text in the form of the
-        landmark and zone files: {"points": {name: [x, y, z]}, "distances_mm": {name: d}} or {"zones": {name: [scan
-        vertex, ...]}}.
-        model: whose landmarks and zones are meant.
-        fitted: the model's template after registration.
-        scan: in the frame of fitted, mm.
-        what: MIEN_TRANSFER_LANDMARKS or MIEN_TRANSFER_ZONES.
-        max_distance_mm: farther places are left out; 0: 10, below 0: no limit.
-        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_UNSUPPORTED_OPTION (what),
-        MIEN_E_MISMATCH (fitted is not of the model), MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY.
-        C: mien_surface_transfer_json()
-        """
-        return _run("mien_surface_transfer_json", {"model": model, "fitted": fitted, "scan": scan, "what": what, "max_distance_mm": max_distance_mm, "session": self})[0]
 
     def neutralize(self, model: ExpressionModel, fitted: Registration, options: NeutralizeOptions | None = None, progress: Progress | None = None, cancel: Cancel | None = None) -> Neutralization:
         """mien_neutralize_mesh() of a registered face: its weights say where the scan had data, its pose is that of
