@@ -8,7 +8,7 @@
 namespace mien {
 namespace {
 
-constexpr std::size_t kChunk = 8192;
+constexpr std::size_t kFanChunk = 8192;
 // Triangles around a vertex; with more, both lists are read, which is right for any.
 constexpr std::uint32_t kMostCompared = 32;
 
@@ -35,7 +35,7 @@ TriangleFans::TriangleFans(Index num_vertices, const TrianglesRef& triangles,
         }
     whole_.resize(n);
     // Each vertex once in either list, and the same vertices.
-    parallel_for(context, n, kChunk, [&](std::size_t first, std::size_t last) {
+    parallel_for(context, n, kFanChunk, [&](std::size_t first, std::size_t last) {
         for (std::size_t v = first; v < last; ++v) {
             const auto from = begin_[v], to = begin_[v + 1];
             bool whole = to - from <= kMostCompared;
@@ -54,7 +54,7 @@ TriangleFans::TriangleFans(Index num_vertices, const TrianglesRef& triangles,
 
 std::vector<std::uint8_t> TriangleFans::border(const Context& context) const {
     std::vector<std::uint8_t> border(whole_.size(), 0);
-    parallel_for(context, border.size(), kChunk, [&](std::size_t first, std::size_t last) {
+    parallel_for(context, border.size(), kFanChunk, [&](std::size_t first, std::size_t last) {
         std::vector<std::uint32_t> around;
         for (std::size_t v = first; v < last; ++v) {
             if (whole_[v]) continue;
