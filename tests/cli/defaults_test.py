@@ -86,6 +86,7 @@ TABLE = {
         "--modes": "mien_spectral_basis_options.mode_count",
         "--mass": ("mien_spectral_basis_options.mass", {"voronoi": 0, "barycentric": 1, "none": 2}),
         "--cotangents": ("mien_spectral_basis_options.cotangents", {"delaunay": 0, "clamp": 1, "keep": 2})},
+    "network sample": {"--seed": OWN, "--number": OWN, "--spread": OWN},
     "model sample": {"--count": OWN, "--strength": OWN, "--mode": OWN, "--sigma": OWN, "--format": OWN, "--seed": OWN},
     "model fit": {"--ridge": "mien_model_fit_options.ridge_mm2", "--scalar-modes": "mien_model_fit_options.scalar_modes",
                   "--trained-modes": "mien_model_fit_options.vector_modes"},
