@@ -11,15 +11,18 @@ void move_result(const Vector3& by_mm, RegistrationResult& result) {
 
 ReadyScan make_ready(const TriMesh& raw, const IntakeSettings& settings, const FarScanSettings& far,
                      const Context& context) {
+    context.progress(Stage::alignment, 0.01);
     ReadyScan ready;
     ready.origin = far_origin(raw.vertices, far);
     if (ready.origin.isZero()) {
         ready.scan = prepare_scan(raw, settings, context);
-        return ready;
+        context.progress(Stage::alignment, 1);
+    return ready;
     }
     TriMesh near = raw;
     near.vertices.rowwise() -= ready.origin.transpose();
     ready.scan = prepare_scan(near, settings, context);
+    context.progress(Stage::alignment, 1);
     return ready;
 }
 

@@ -67,8 +67,8 @@ for made in list(live.values()):
         called += 1
 
 options = [kind for kind in vars(mien).values() if inspect.isclass(kind) and issubclass(kind, Options)]
-for kind in options:
-    assert kind().__dict__ and refuses(AttributeError, kind, no_such_field=1)
+for kind in options:  # a batch has only what every call has, progress and cancel
+    assert (kind().__dict__ or kind is mien.BatchOptions) and refuses(AttributeError, kind, no_such_field=1)
 
 # Ownership: a view outlives its mesh, objects go in any order, a closed object refuses, errors name the place.
 view = template.positions_view()
