@@ -179,7 +179,9 @@ def write_struct(s, plan):
         setter = "set; " if inputs else "internal set; "
         lines.append(f"        public {host_type(f, plan)} {pascal(f.name)} {{ get; {setter}}}")
     if inputs:
-        lines += ["", "        internal override void Fill(Call call, IntPtr at)", "        {", f"            var raw = (Native.{name}*)at;"]
+        lines += ["", "        internal override void Fill(Call call, IntPtr at)", "        {"]
+        if fields:
+            lines.append(f"            var raw = (Native.{name}*)at;")
         if s.use == "options":
             lines.append(f"            Functions.{s.name}_init(at, (UIntPtr)sizeof(Native.{name}));")
         for f in scalars_first(fields):

@@ -17,7 +17,7 @@ ReadyScan make_ready(const TriMesh& raw, const IntakeSettings& settings, const F
     if (ready.origin.isZero()) {
         ready.scan = prepare_scan(raw, settings, context);
         context.progress(Stage::alignment, 1);
-    return ready;
+        return ready;
     }
     TriMesh near = raw;
     near.vertices.rowwise() -= ready.origin.transpose();

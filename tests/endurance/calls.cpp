@@ -59,7 +59,8 @@ void run_cancels(long count, std::uint64_t seed) {
         put(arguments[call.options].pointer, layout, "progress_user", &user);
         return observed_call(*call.row, arguments, "cancelled", verdict);
     };
-    // A batch keeps the options of a scan for its run, and runs once (abi/follow_test.cpp cancels it).
+    // A batch keeps the options of a scan for its run, and runs once (abi/follow_test.cpp cancels
+    // it).
     const auto differs = [](const FunctionRow& row) {
         return std::strcmp(row.name, "mien_batch_add") == 0 ||
                std::strcmp(row.name, "mien_batch_run") == 0;

@@ -13,7 +13,6 @@ namespace Mien
 
         internal override void Fill(Call call, IntPtr at)
         {
-            var raw = (Native.BatchOptions*)at;
             Functions.mien_batch_options_init(at, (UIntPtr)sizeof(Native.BatchOptions));
         }
 
