@@ -110,7 +110,6 @@ void Follower::move_rigidly(const DepthGrid& grid, double sigma_mm, const Contex
     using Vector6 = Eigen::Matrix<double, 6, 1>;
     using Matrix6 = Eigen::Matrix<double, 6, 6>;
     constexpr double kDamping = 1e-6;  // of the largest diagonal: a ball's turns have no equation
-    constexpr double kStill_mm = 0.02;
     for (int round = 0; round < settings_.motion_rounds; ++round) {
         const Points normals = vertex_normals(state_.places, shape_.template_mesh.triangles);
         correspond(grid, normals, sigma_mm, context);
@@ -147,7 +146,7 @@ void Follower::move_rigidly(const DepthGrid& grid, double sigma_mm, const Contex
         motion.translation = centre + step.tail<3>() - motion.rotation * centre;
         state_.motion = compose(motion, state_.motion);
         state_.places = motion.apply(state_.places);
-        if (angle * std::sqrt(squares / total) + step.tail<3>().norm() < kStill_mm) return;
+        if (angle * std::sqrt(squares / total) + step.tail<3>().norm() < settings_.still_mm) return;
     }
 }
 

@@ -20,6 +20,7 @@ namespace mien {
 /// Tags in brackets: registration/settings.hpp.
 struct FollowSettings {
     int motion_rounds = 4;     ///< >= 0: per frame, of the head's motion alone [J]
+    double still_mm = 0.02;    ///< mm, > 0: a head that moves less is where it belongs [J]
     int rounds = 3;            ///< >= 1: per frame [J]
     int rounds_found = 8;      ///< >= 1: of a frame in which a lost face was searched [J]
     Index vertices = 2500;     ///< >= 100, about: that pull in a round [J]

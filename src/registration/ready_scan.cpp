@@ -14,14 +14,13 @@ ReadyScan make_ready(const TriMesh& raw, const IntakeSettings& settings, const F
     context.progress(Stage::alignment, 0.01);
     ReadyScan ready;
     ready.origin = far_origin(raw.vertices, far);
-    if (ready.origin.isZero()) {
-        ready.scan = prepare_scan(raw, settings, context);
-        context.progress(Stage::alignment, 1);
-        return ready;
+    const bool is_far = !ready.origin.isZero();
+    TriMesh near;  // only scans far from their origin are copied
+    if (is_far) {
+        near = raw;
+        near.vertices.rowwise() -= ready.origin.transpose();
     }
-    TriMesh near = raw;
-    near.vertices.rowwise() -= ready.origin.transpose();
-    ready.scan = prepare_scan(near, settings, context);
+    ready.scan = prepare_scan(is_far ? near : raw, settings, context);
     context.progress(Stage::alignment, 1);
     return ready;
 }
