@@ -26,7 +26,7 @@ using mien::testing::ScratchFolder;
 using mien::testing::write_bytes;
 
 template <typename Call>
-Status status_of(Call&& call) {
+Status thrown_status(Call&& call) {
     try {
         call();
         return Status::ok;
@@ -53,15 +53,15 @@ TEST(File, AnEmptyFileHasNoBytes) {
 
 TEST(File, WhatIsNoRegularFileIsRefusedAtOnce) {
     ScratchFolder folder;
-    EXPECT_EQ(status_of([&] { map_file(folder / "nothing"); }), Status::io);
-    EXPECT_EQ(status_of([&] { map_file(folder / "."); }), Status::io);
-    EXPECT_EQ(status_of([&] { map_file(""); }), Status::invalid_argument);
-    EXPECT_EQ(status_of([&] { map_file(std::string("a\0b", 3)); }), Status::invalid_argument);
-    EXPECT_EQ(status_of([&] { map_file(std::string(100000, 'a')); }), Status::io);
+    EXPECT_EQ(thrown_status([&] { map_file(folder / "nothing"); }), Status::io);
+    EXPECT_EQ(thrown_status([&] { map_file(folder / "."); }), Status::io);
+    EXPECT_EQ(thrown_status([&] { map_file(""); }), Status::invalid_argument);
+    EXPECT_EQ(thrown_status([&] { map_file(std::string("a\0b", 3)); }), Status::invalid_argument);
+    EXPECT_EQ(thrown_status([&] { map_file(std::string(100000, 'a')); }), Status::io);
 #if !defined(_WIN32)
     ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
-    EXPECT_EQ(status_of([&] { map_file(folder / "pipe"); }), Status::io);
-    EXPECT_EQ(status_of([&] { read_whole_file("/dev/zero", Context()); }), Status::io);
+    EXPECT_EQ(thrown_status([&] { map_file(folder / "pipe"); }), Status::io);
+    EXPECT_EQ(thrown_status([&] { read_whole_file("/dev/zero", Context()); }), Status::io);
 #endif
 }
 
@@ -70,7 +70,8 @@ TEST(File, ReadingKeepsToTheMemoryBudget) {
     write_bytes(folder / "f", std::string(1000, 'x'));
     Context context;
     context.max_bytes = 999;
-    EXPECT_EQ(status_of([&] { read_whole_file(folder / "f", context); }), Status::memory_budget);
+    EXPECT_EQ(thrown_status([&] { read_whole_file(folder / "f", context); }),
+              Status::memory_budget);
 }
 
 TEST(AtomicFile, TakesTheTargetsPlaceOnlyWhenCommitted) {
@@ -97,13 +98,13 @@ TEST(AtomicFile, TakesTheTargetsPlaceOnlyWhenCommitted) {
 TEST(AtomicFile, RefusesTargetsThatCannotBeFiles) {
     ScratchFolder folder;
     std::filesystem::create_directory(folder / "sub");
-    EXPECT_EQ(status_of([&] { AtomicFile file(folder / "sub"); }), Status::io);
-    EXPECT_EQ(status_of([&] { AtomicFile file(folder / "missing/file"); }), Status::io);
-    EXPECT_EQ(status_of([&] { AtomicFile file(""); }), Status::invalid_argument);
+    EXPECT_EQ(thrown_status([&] { AtomicFile file(folder / "sub"); }), Status::io);
+    EXPECT_EQ(thrown_status([&] { AtomicFile file(folder / "missing/file"); }), Status::io);
+    EXPECT_EQ(thrown_status([&] { AtomicFile file(""); }), Status::invalid_argument);
 #if !defined(_WIN32)
-    EXPECT_EQ(status_of([&] { AtomicFile file("/dev/null"); }), Status::io);
+    EXPECT_EQ(thrown_status([&] { AtomicFile file("/dev/null"); }), Status::io);
     write_bytes(folder / "plain", "x");
-    EXPECT_EQ(status_of([&] { AtomicFile file(folder / "plain/file"); }), Status::io);
+    EXPECT_EQ(thrown_status([&] { AtomicFile file(folder / "plain/file"); }), Status::io);
     EXPECT_EQ(read_bytes(folder / "plain"), "x");
 #endif
     EXPECT_EQ(folder.num_entries(), 1u + (std::filesystem::exists(folder / "plain") ? 1u : 0u));
@@ -122,7 +123,7 @@ TEST(AtomicFile, AFullDiskLeavesTheOldFileWhole) {
     small.rlim_cur = 1 << 20;
     void (*handler)(int) = std::signal(SIGXFSZ, SIG_IGN);
     ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
-    const Status status = status_of([&] {
+    const Status status = thrown_status([&] {
         AtomicFile file(path);
         file.write(std::string(3 << 20, 'n'));
         file.commit();
@@ -142,7 +143,7 @@ TEST(AtomicFile, AFileBeyondTheProcesssLimitIsAnErrorAndNoSignal) {
     if (child == 0) {
         const struct rlimit small = {1 << 20, 1 << 20};
         setrlimit(RLIMIT_FSIZE, &small);
-        const Status status = status_of([&] {
+        const Status status = thrown_status([&] {
             AtomicFile file(path);
             file.write(std::string(3 << 20, 'n'));
             file.commit();
@@ -243,7 +244,7 @@ TEST(AtomicFile, AReadOnlyFolderIsAnErrorAndStaysAsItIs) {
     const uid_t user = geteuid();
     constexpr uid_t kNobody = 65534;
     ASSERT_TRUE(user != 0 || seteuid(kNobody) == 0);
-    const Status status = status_of([&] { AtomicFile file(folder / "model.bin"); });
+    const Status status = thrown_status([&] { AtomicFile file(folder / "model.bin"); });
     ASSERT_TRUE(user != 0 || seteuid(user) == 0);
     EXPECT_EQ(status, Status::io);
     EXPECT_EQ(folder.num_entries(), 0u);

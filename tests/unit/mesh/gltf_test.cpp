@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "mesh/gltf_document.hpp"
 #include "mesh/mesh_file.hpp"
+#include "unit/mesh/parse_mesh.hpp"
 #include "unit/mesh/sample_images.hpp"
 #include "unit/mesh/sample_meshes.hpp"
 #include "unit/scratch.hpp"
@@ -16,21 +17,6 @@ namespace {
 
 using namespace mien;
 using namespace mien::testing;
-
-TriMesh parse(const std::string& bytes) {
-    const std::vector<char> exact(bytes.begin(), bytes.end());
-    return read_mesh_memory(exact.data(), exact.size(), "glb", Context());
-}
-
-std::string message_of(const std::string& bytes) {
-    try {
-        parse(bytes);
-        return "read";
-    } catch (const Error& error) {
-        EXPECT_NE(error.status(), Status::internal);
-        return error.what();
-    }
-}
 
 void put32(std::string& out, std::uint32_t value) {
     out.append(reinterpret_cast<const char*>(&value), 4);
@@ -78,7 +64,8 @@ std::string square_json(const std::string& nodes, const std::string& more_attrib
 }
 
 TEST(Gltf, SplitVerticesAreJoinedAndTextureCoordinatesStayWithTheCorners) {
-    const TriMesh mesh = parse(glb(square_json(R"({"mesh":0})", R"(,"COLOR_0":3)"), kSquare));
+    const TriMesh mesh =
+        parse_mesh(glb(square_json(R"({"mesh":0})", R"(,"COLOR_0":3)"), kSquare), "glb");
     EXPECT_EQ(mesh.vertices, points_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}));
     EXPECT_EQ(mesh.triangles, triangles_of({{0, 1, 2}, {0, 2, 3}}));
     const auto corner = [&](Index t, int k) {
@@ -94,15 +81,18 @@ TEST(Gltf, SplitVerticesAreJoinedAndTextureCoordinatesStayWithTheCorners) {
 }
 
 TEST(Gltf, NodesMoveTheirMeshesAndMirrorsTurnTriangles) {
-    const TriMesh moved = parse(glb(square_json(R"({"children":[1],"translation":[10,0,0]},
+    const TriMesh moved = parse_mesh(glb(square_json(R"({"children":[1],"translation":[10,0,0]},
                        {"mesh":0,"scale":[2,2,2],"rotation":[0,0,0.7071067811865476,0.7071067811865476]})"),
-                                    kSquare));
+                                         kSquare),
+                                     "glb");
     EXPECT_LT((moved.vertices - points_of({{10, 0, 0}, {10, 2, 0}, {8, 2, 0}, {8, 0, 0}})).norm(),
               1e-12);
-    const TriMesh matrix = parse(
-        glb(square_json(R"({"mesh":0,"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,5,6,7,1]})"), kSquare));
+    const TriMesh matrix = parse_mesh(
+        glb(square_json(R"({"mesh":0,"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,5,6,7,1]})"), kSquare),
+        "glb");
     EXPECT_EQ(matrix.vertices.row(0), Eigen::RowVector3d(5, 6, 7));
-    const TriMesh mirrored = parse(glb(square_json(R"({"mesh":0,"scale":[-1,1,1]})"), kSquare));
+    const TriMesh mirrored =
+        parse_mesh(glb(square_json(R"({"mesh":0,"scale":[-1,1,1]})"), kSquare), "glb");
     EXPECT_EQ(mirrored.triangles, triangles_of({{0, 2, 1}, {0, 3, 2}}));
 }
 
@@ -122,35 +112,38 @@ TEST(Gltf, TextWithItsBufferInItselfOrBesideItIsRead) {
 }
 
 TEST(Gltf, WhatIsCompressedIsNamed) {
-    const std::string draco = message_of(glb(
-        square_json(R"({"mesh":0})", "", R"(,"extensionsRequired":["KHR_draco_mesh_compression"])"),
-        kSquare));
+    const std::string draco =
+        parse_message(glb(square_json(R"({"mesh":0})", "",
+                                      R"(,"extensionsRequired":["KHR_draco_mesh_compression"])"),
+                          kSquare),
+                      "glb");
     EXPECT_NE(draco.find("KHR_draco_mesh_compression"), std::string::npos) << draco;
 }
 
 TEST(Gltf, EveryTruncatedLengthAndEveryFlippedBitIsHandled) {
     const std::string whole = glb(square_json(R"({"mesh":0})", R"(,"COLOR_0":3)"), kSquare);
     for (std::size_t size = 0; size < whole.size(); ++size)
-        EXPECT_NE(message_of(whole.substr(0, size)), "read") << size;
+        EXPECT_NE(parse_message(whole.substr(0, size), "glb"), "read") << size;
     for (std::size_t bit = 0; bit < 8 * whole.size(); ++bit) {
         std::string damaged = whole;
         damaged[bit / 8] = static_cast<char>(damaged[bit / 8] ^ (1 << bit % 8));
-        message_of(damaged);
+        parse_message(damaged, "glb");
     }
 }
 
 TEST(Gltf, CirclesOfNodesAndForgedCountsEndInErrors) {
-    EXPECT_NE(message_of(glb(square_json(R"({"children":[1]},{"children":[0]})"), kSquare)),
-              "read");
+    EXPECT_NE(
+        parse_message(glb(square_json(R"({"children":[1]},{"children":[0]})"), kSquare), "glb"),
+        "read");
     std::string json = square_json(R"({"mesh":0})");
     json.replace(json.find(R"("count":5)"), 9, R"("count":500000000)");
-    EXPECT_NE(message_of(glb(json, kSquare)), "read");
+    EXPECT_NE(parse_message(glb(json, kSquare), "glb"), "read");
     // One mesh at a thousand places.
     std::string nodes = R"({"children":[1)", list;
     for (int k = 2; k < 1000; ++k) nodes += "," + std::to_string(k);
     nodes += "]}";
     for (int k = 1; k < 1000; ++k) nodes += R"(,{"mesh":0})";
-    EXPECT_EQ(message_of(glb(square_json(nodes), kSquare)), "read");
+    EXPECT_EQ(parse_message(glb(square_json(nodes), kSquare), "glb"), "read");
 }
 
 TEST(Gltf, VerticesWithEqualPlacesKeepTheirNumbersInAFileOfOurs) {

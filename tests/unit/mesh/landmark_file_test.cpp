@@ -12,7 +12,7 @@ namespace {
 using namespace mien;
 using namespace mien::testing;
 
-LandmarkFile parse(const std::string& text, const std::string& path) {
+LandmarkFile parse_marks(const std::string& text, const std::string& path) {
     const std::vector<char> exact(text.begin(), text.end());
     return parse_landmarks(exact.data(), exact.size(), path);
 }
@@ -36,7 +36,7 @@ void expect_not_picked(const LandmarkFile& file, const std::string& name) {
 
 std::string message_of(const std::string& text, const std::string& path, Status status) {
     try {
-        parse(text, path);
+        parse_marks(text, path);
     } catch (const Error& error) {
         EXPECT_EQ(error.status(), status) << error.what();
         return error.what();
@@ -46,7 +46,7 @@ std::string message_of(const std::string& text, const std::string& path, Status 
 }
 
 TEST(LandmarkFile, OwnJsonKeepsNullNanAndNamesApart) {
-    const LandmarkFile file = parse(
+    const LandmarkFile file = parse_marks(
         "{\"note\": [1, {\"a\": 2}], \"points\": {\"a\": [1, 2.5, -3], \"b\": null, \"c\": "
         "[1, NaN, 2], \"d\": [null, null, null], \"e\": [], \"f\": [\"NaN\", \"nan\", \"\"]}}",
         "x.json");
@@ -58,14 +58,14 @@ TEST(LandmarkFile, OwnJsonKeepsNullNanAndNamesApart) {
 
 TEST(LandmarkFile, VertexNumbersComeFromJsonTablesAndPlainLists) {
     for (const char* text : {"{\"vertices\": {\"1\": 7, \"2\": 9}}", "{\"vertices\": [7, 9]}"}) {
-        const LandmarkFile file = parse(text, "x.json");
+        const LandmarkFile file = parse_marks(text, "x.json");
         EXPECT_EQ(named(file, "1").vertex, 7u);
         EXPECT_EQ(named(file, "2").vertex, 9u);
         EXPECT_EQ(named(file, "2").where, Mark::Where::vertex);
     }
-    EXPECT_EQ(named(parse("name,vertex\nchin,12\nnose,\n", "x.csv"), "chin").vertex, 12u);
-    expect_not_picked(parse("name,vertex\nchin,12\nnose,\n", "x.csv"), "nose");
-    EXPECT_EQ(named(parse("7\n9\n", "x.txt"), "2").vertex, 9u);
+    EXPECT_EQ(named(parse_marks("name,vertex\nchin,12\nnose,\n", "x.csv"), "chin").vertex, 12u);
+    expect_not_picked(parse_marks("name,vertex\nchin,12\nnose,\n", "x.csv"), "nose");
+    EXPECT_EQ(named(parse_marks("7\n9\n", "x.txt"), "2").vertex, 9u);
 }
 
 TEST(LandmarkFile, SlicerMarkupsHonourStatusFrameAndUnit) {
@@ -75,9 +75,9 @@ TEST(LandmarkFile, SlicerMarkupsHonourStatusFrameAndUnit) {
         "\"undefined\"}, {\"label\": \"c\", \"position\": [4, 5, 6], \"positionStatus\": "
         "\"preview\"}, {\"position\": [7, 8, 9]}]";
     const LandmarkFile lps =
-        parse("{\"markups\": [{\"coordinateSystem\": \"LPS\", \"coordinateUnits\": \"mm\", " +
-                  points + "}]}",
-              "x.mrk.json");
+        parse_marks("{\"markups\": [{\"coordinateSystem\": \"LPS\", \"coordinateUnits\": \"mm\", " +
+                        points + "}]}",
+                    "x.mrk.json");
     EXPECT_EQ(lps.format, "mrk.json");
     EXPECT_EQ(lps.unit_to_mm, 1);
     expect_place(lps, "a", 1, 2, 3);
@@ -85,7 +85,7 @@ TEST(LandmarkFile, SlicerMarkupsHonourStatusFrameAndUnit) {
     expect_not_picked(lps, "b");
     expect_not_picked(lps, "c");
     const LandmarkFile ras =
-        parse("{\"markups\": [{\"coordinateSystem\": \"RAS\", " + points + "}]}", "x.json");
+        parse_marks("{\"markups\": [{\"coordinateSystem\": \"RAS\", " + points + "}]}", "x.json");
     EXPECT_EQ(ras.system, "RAS");
     expect_place(ras, "a", -1, -2, 3);
 }
@@ -95,13 +95,15 @@ TEST(LandmarkFile, SlicerFiducialsAreRasUnlessTheySayLps) {
         "# columns = id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID\r\n"
         "vtkMRML_0,1.5,-2,3,0,0,0,1,1,1,0,chin,,\r\n\"v,1\",nan,0,0,0,0,0,1,1,1,0,nose,,\r\n";
     const std::string head = "# Markups fiducial file version = 4.11\r\n";
-    expect_place(parse(head + "# CoordinateSystem = LPS\r\n" + rows, "x.fcsv"), "chin", 1.5, -2, 3);
-    expect_place(parse(head + "# CoordinateSystem = 0\r\n" + rows, "x.fcsv"), "chin", -1.5, 2, 3);
-    expect_not_picked(parse(head + rows, "renamed.txt"), "nose");
+    expect_place(parse_marks(head + "# CoordinateSystem = LPS\r\n" + rows, "x.fcsv"), "chin", 1.5,
+                 -2, 3);
+    expect_place(parse_marks(head + "# CoordinateSystem = 0\r\n" + rows, "x.fcsv"), "chin", -1.5, 2,
+                 3);
+    expect_not_picked(parse_marks(head + rows, "renamed.txt"), "nose");
 }
 
 TEST(LandmarkFile, MeshLabPointsThatAreOffAreNotPicked) {
-    const LandmarkFile file = parse(
+    const LandmarkFile file = parse_marks(
         "<!DOCTYPE PickedPoints>\n<PickedPoints>\n <DocumentData/>\n <point x=\"1\" y=\"2\" "
         "z=\"-3e-1\" active=\"1\" name=\"a &amp; b\"/>\n <point active='0' name='c' x='4' y='5' "
         "z='6'/>\n</PickedPoints>\n",
@@ -113,12 +115,12 @@ TEST(LandmarkFile, MeshLabPointsThatAreOffAreNotPicked) {
 
 TEST(LandmarkFile, PtsIsNumberedFromOneAndRefusedInTwoDimensions) {
     const LandmarkFile file =
-        parse("version: 1\nn_points:  3\n{\n1 2 3\nnan nan nan\n4 5 6\n}\n", "x.pts");
+        parse_marks("version: 1\nn_points:  3\n{\n1 2 3\nnan nan nan\n4 5 6\n}\n", "x.pts");
     EXPECT_EQ(file.format, "pts");
     expect_place(file, "1", 1, 2, 3);
     expect_not_picked(file, "2");
     expect_place(file, "3", 4, 5, 6);
-    expect_place(parse("Version 1.0\n2\nS0 1 2 3\nS1 4 5 6\n", "x.pts"), "S1", 4, 5, 6);
+    expect_place(parse_marks("Version 1.0\n2\nS0 1 2 3\nS1 4 5 6\n", "x.pts"), "S1", 4, 5, 6);
     EXPECT_NE(message_of("version: 1\nn_points: 1\n{\n1 2\n}\n", "x.pts", Status::bad_format)
                   .find("image"),
               std::string::npos);
@@ -130,15 +132,15 @@ TEST(LandmarkFile, LjsonIsReadInAllThreeVersions) {
     const std::string two = "{\"version\": 2, " + labels + ", \"landmarks\": " + points + "}";
     for (const std::string& text :
          {two, "{\"version\": 3, \"groups\": {\"LJSON\": " + two + "}}"}) {
-        const LandmarkFile file = parse(text, "x.ljson");
+        const LandmarkFile file = parse_marks(text, "x.ljson");
         EXPECT_EQ(file.format, "ljson");
         expect_place(file, "1", 1, 2, 3);
         expect_not_picked(file, "2");
         expect_place(file, "chin", 4, 5, 6);
     }
-    expect_place(parse("{\"version\": 1, \"groups\": [{\"label\": \"a\", \"landmarks\": "
-                       "[{\"point\": [1, 2, 3]}]}]}",
-                       "x.ljson"),
+    expect_place(parse_marks("{\"version\": 1, \"groups\": [{\"label\": \"a\", \"landmarks\": "
+                             "[{\"point\": [1, 2, 3]}]}]}",
+                             "x.ljson"),
                  "1", 1, 2, 3);
 }
 
@@ -147,9 +149,9 @@ TEST(LandmarkFile, TablesMayUseAnySeparatorTitlesAndDecimalCommas) {
          {"name,x,y,z\nchin,1.5,2,-3\n", "chin,1.5,2,-3\n",
           "\xef\xbb\xbfLabel;X;Y;Z\r\nchin;1,5;2;-3\r\n", "z,y,x,landmark\n-3,2,1.5,chin\n",
           "chin 1.5 2 -3\n", "chin\t1.5\t2\t-3\r", "id,x_mm,y_mm,z_mm\n\"chin\",1.5,+2,-3\n"})
-        expect_place(parse(text, "x.csv"), "chin", 1.5, 2, -3);
-    EXPECT_EQ(parse("name,x (cm),y (cm),z (cm)\nchin,1,2,3\n", "x.csv").unit_to_mm, 10);
-    const LandmarkFile gaps = parse(
+        expect_place(parse_marks(text, "x.csv"), "chin", 1.5, 2, -3);
+    EXPECT_EQ(parse_marks("name,x (cm),y (cm),z (cm)\nchin,1,2,3\n", "x.csv").unit_to_mm, 10);
+    const LandmarkFile gaps = parse_marks(
         "name,x,y,z\na,,,\nb,not defined,n/a,-\nc,-1.#IND,1.#QNAN,nan(ind)\nd,1,2,3\n", "x.csv");
     for (const char* name : {"a", "b", "c"}) expect_not_picked(gaps, name);
     expect_place(gaps, "d", 1, 2, 3);
@@ -162,7 +164,7 @@ TEST(LandmarkFile, DecimalCommasBetweenCommasAreNotReadAsColumns) {
     // Columns that titles name, trailing separators and a confidence behind are no such thing.
     for (const char* text : {"name,x,y,z,sure\nchin,1.5,2,-3,0.9\n", "name,x,y,z\nchin,1.5,2,-3,\n",
                              "chin,1.5,2,-3,1,1,1\n"})
-        expect_place(parse(text, "x.csv"), "chin", 1.5, 2, -3);
+        expect_place(parse_marks(text, "x.csv"), "chin", 1.5, 2, -3);
 }
 
 TEST(LandmarkFile, WhatWasCutShortIsNotTakenForFewerLandmarks) {
@@ -179,7 +181,7 @@ TEST(LandmarkFile, WhatWasCutShortIsNotTakenForFewerLandmarks) {
 
 TEST(LandmarkFile, UnitsStayWithTheNumbersInEveryFormat) {
     const LandmarkFile given =
-        parse("{\"units\": \"cm\", \"points\": {\"a\": [1, -2, 3]}}", "x.json");
+        parse_marks("{\"units\": \"cm\", \"points\": {\"a\": [1, -2, 3]}}", "x.json");
     EXPECT_EQ(given.unit_to_mm, 10);
     ScratchFolder folder;
     for (const char* name : {"m.json", "m.mrk.json", "m.csv"}) {
@@ -199,17 +201,17 @@ TEST(LandmarkFile, UnitsStayWithTheNumbersInEveryFormat) {
 }
 
 TEST(LandmarkFile, RepeatedPlaceholdersAreNotPicked) {
-    const LandmarkFile zeros =
-        parse("{\"points\": {\"a\": [0, 0, 0], \"b\": [1, 2, 3], \"c\": [-0.0, 0, 0]}}", "x.json");
+    const LandmarkFile zeros = parse_marks(
+        "{\"points\": {\"a\": [0, 0, 0], \"b\": [1, 2, 3], \"c\": [-0.0, 0, 0]}}", "x.json");
     expect_not_picked(zeros, "a");
     expect_not_picked(zeros, "c");
     expect_place(zeros, "b", 1, 2, 3);
-    const LandmarkFile ones =
-        parse("a,-1,-1,-1\nb,-1,-1,-1\nc,9,8,7\nd,9,8,7\ne,5,6,7\nf,5,6,7\ng,5,6,7\n", "x.csv");
+    const LandmarkFile ones = parse_marks(
+        "a,-1,-1,-1\nb,-1,-1,-1\nc,9,8,7\nd,9,8,7\ne,5,6,7\nf,5,6,7\ng,5,6,7\n", "x.csv");
     for (const char* name : {"a", "b", "e", "f", "g"}) expect_not_picked(ones, name);
     expect_place(ones, "c", 9, 8, 7);  // two names may mean one place: shut lips
     // A single landmark at the origin may be one: a scanner may put it there.
-    expect_place(parse("a,0,0,0\nb,1,2,3\n", "x.csv"), "a", 0, 0, 0);
+    expect_place(parse_marks("a,0,0,0\nb,1,2,3\n", "x.csv"), "a", 0, 0, 0);
 }
 
 TEST(LandmarkFile, MistakesAreNamedWithTheirPlace) {
@@ -230,7 +232,7 @@ TEST(LandmarkFile, MistakesAreNamedWithTheirPlace) {
 }
 
 TEST(LandmarkFile, EveryFormatComesBackAsItWasWritten) {
-    const LandmarkFile given = parse(
+    const LandmarkFile given = parse_marks(
         "{\"points\": {\"a <&\\\"> b\": [1.1, -2.25, 1e-7], \"b,c\": null, \"d\": [4, 5, 6]}}",
         "x.json");
     ScratchFolder folder;
@@ -248,15 +250,15 @@ TEST(LandmarkFile, EveryFormatComesBackAsItWasWritten) {
     write_landmark_file(folder / "m.pts", given);
     expect_place(read_landmark_file(folder / "m.pts", Context()), "3", 4, 5, 6);
     EXPECT_THROW(write_landmark_file(folder / "m.doc", given), Error);
-    const LandmarkFile vertices = parse("{\"vertices\": {\"a\": 3}}", "x.json");
+    const LandmarkFile vertices = parse_marks("{\"vertices\": {\"a\": 3}}", "x.json");
     EXPECT_THROW(write_landmark_file(folder / "v.pp", vertices), Error);
     write_landmark_file(folder / "v.csv", vertices);
     EXPECT_EQ(named(read_landmark_file(folder / "v.csv", Context()), "a").vertex, 3u);
 }
 
 TEST(LandmarkFile, EveryTruncationIsReadOrATypedError) {
-    const LandmarkFile given =
-        parse("{\"points\": {\"a\": [1.1, -2.25, 3], \"b\": null, \"c\": [4, 5, 6]}}", "x.json");
+    const LandmarkFile given = parse_marks(
+        "{\"points\": {\"a\": [1.1, -2.25, 3], \"b\": null, \"c\": [4, 5, 6]}}", "x.json");
     ScratchFolder folder;
     for (const char* name :
          {"m.json", "m.mrk.json", "m.fcsv", "m.pp", "m.ljson", "m.csv", "m.pts"}) {
@@ -266,7 +268,7 @@ TEST(LandmarkFile, EveryTruncationIsReadOrATypedError) {
         // others is a line's end.
         const bool open = std::string(name) == "m.csv" || std::string(name) == "m.fcsv";
         for (std::size_t size = 0; size < whole.size(); ++size) try {
-                parse(whole.substr(0, size), name);
+                parse_marks(whole.substr(0, size), name);
                 EXPECT_TRUE(open || size + 3 >= whole.size()) << name << " cut to " << size;
             } catch (const Error& error) {
                 EXPECT_NE(error.status(), Status::internal);

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "base/error.hpp"
+#include "unit/mesh/parse_mesh.hpp"
 #include "unit/mesh/sample_meshes.hpp"
 #include "unit/scratch.hpp"
 
@@ -15,10 +16,6 @@ namespace {
 
 using namespace mien;
 using namespace mien::testing;
-
-TriMesh parse(const std::string& text, const char* extension) {
-    return read_mesh_memory(text.data(), text.size(), extension, Context());
-}
 
 /// Texture coordinates corner by corner, however they are numbered.
 void expect_same_texture(const TriMesh& a, const TriMesh& b) {
@@ -101,7 +98,7 @@ TEST(MeshFile, ReadsAndWritesWhateverTheLocaleSays) {
     const char* german = nullptr;
     for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", "de_DE.utf8"})
         if (german == nullptr) german = std::setlocale(LC_ALL, name);
-    const TriMesh mesh = parse("v 1.5 2.25 -3e-1\n", "obj");
+    const TriMesh mesh = parse_mesh("v 1.5 2.25 -3e-1\n", "obj");
     if (german != nullptr) std::setlocale(LC_ALL, "C");
     EXPECT_EQ(mesh.vertices(0, 0), 1.5);
     EXPECT_EQ(mesh.vertices(0, 2), -0.3);

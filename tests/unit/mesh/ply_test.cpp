@@ -5,26 +5,13 @@
 
 #include "base/error.hpp"
 #include "mesh/mesh_file.hpp"
+#include "unit/mesh/parse_mesh.hpp"
 #include "unit/mesh/sample_meshes.hpp"
 
 namespace {
 
 using namespace mien;
-using mien::testing::points_of;
-using mien::testing::triangles_of;
-
-TriMesh parse(const std::string& text) {
-    return read_mesh_memory(text.data(), text.size(), "ply", Context());
-}
-
-Status status_of(const std::string& text) {
-    try {
-        parse(text);
-        return Status::ok;
-    } catch (const Error& error) {
-        return error.status();
-    }
-}
+using namespace mien::testing;
 
 template <typename T>
 void put(std::string& out, T value, bool big_endian) {
@@ -40,14 +27,14 @@ constexpr const char* kSquare =
     "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
 
 TEST(Ply, APolygonBecomesAFan) {
-    const TriMesh mesh = parse(kSquare);
+    const TriMesh mesh = parse_mesh(kSquare, "ply");
     EXPECT_EQ(mesh.triangles, triangles_of({{0, 1, 2}, {0, 2, 3}}));
 }
 
 TEST(Ply, WindowsLineEndsAreRead) {
     std::string text;
     for (const char* c = kSquare; *c != '\0'; ++c) text += *c == '\n' ? "\r\n" : std::string(1, *c);
-    EXPECT_EQ(parse(text).vertices.rows(), 4);
+    EXPECT_EQ(parse_mesh(text, "ply").vertices.rows(), 4);
 }
 
 // Every type, in another order, with unknown elements and properties around, both byte orders.
@@ -85,11 +72,11 @@ TEST(Ply, AnyOrderAndTypeOfPropertiesInBothByteOrders) {
             put(file, 1.0f, big);
         }
         file += "tail!";
-        const TriMesh mesh = parse(file);
+        const TriMesh mesh = parse_mesh(file, "ply");
         EXPECT_EQ(mesh.vertices, points_of({{0, 0, 0}, {-1, 0.5, 0.1}, {-2, 1, 0.2}}));
         EXPECT_EQ(mesh.triangles, triangles_of({{0, 1, 2}, {1, 2, 0}}));
         EXPECT_EQ(mesh.colors.row(2), (Eigen::Matrix<std::uint8_t, 1, 3>(2, 12, 22)));
-        EXPECT_EQ(status_of(file.substr(0, file.size() - 1)), Status::bad_format);
+        EXPECT_EQ(parse_status(file.substr(0, file.size() - 1), "ply"), Status::bad_format);
     }
 }
 
@@ -98,35 +85,38 @@ TEST(Ply, FloatColoursMayRunToOneOrTo255) {
         "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n"
         "property float z\nproperty float red\nproperty float green\nproperty float blue\n"
         "end_header\n";
-    EXPECT_EQ(parse(header + "0 0 0 0 0.5 1\n1 1 1 0 0 -2\n").colors.row(0),
+    EXPECT_EQ(parse_mesh(header + "0 0 0 0 0.5 1\n1 1 1 0 0 -2\n", "ply").colors.row(0),
               (Eigen::Matrix<std::uint8_t, 1, 3>(0, 128, 255)));
-    EXPECT_EQ(parse(header + "0 0 0 0 100 255\n1 1 1 nan 0 999\n").colors.row(0),
+    EXPECT_EQ(parse_mesh(header + "0 0 0 0 100 255\n1 1 1 nan 0 999\n", "ply").colors.row(0),
               (Eigen::Matrix<std::uint8_t, 1, 3>(0, 100, 255)));
 }
 
 TEST(Ply, TextureCoordinatesPerVertexAndPerCorner) {
-    const TriMesh per_vertex = parse(
+    const TriMesh per_vertex = parse_mesh(
         "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
         "property float z\nproperty float s\nproperty float t\nelement face 1\n"
         "property list uchar int vertex_indices\nend_header\n"
-        "0 0 0 0.5 0.25\n1 0 0 1 0\n0 1 0 0 1\n3 0 1 2\n");
+        "0 0 0 0.5 0.25\n1 0 0 1 0\n0 1 0 0 1\n3 0 1 2\n",
+        "ply");
     EXPECT_EQ(per_vertex.texture_triangles, per_vertex.triangles);
     EXPECT_EQ(per_vertex.texture(0, 1), 0.25f);
-    const TriMesh per_corner = parse(
+    const TriMesh per_corner = parse_mesh(
         "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
         "property float z\nelement face 2\nproperty list uchar int vertex_indices\n"
         "property list uchar float texcoord\nend_header\n"
-        "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2 0\n3 0 2 3 6 .1 .2 .3 .4 .5 .6\n");
+        "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2 0\n3 0 2 3 6 .1 .2 .3 .4 .5 .6\n",
+        "ply");
     ASSERT_EQ(per_corner.texture_triangles.rows(), 2);
     EXPECT_EQ(per_corner.texture(per_corner.texture_triangles(1, 2), 1), 0.6f);
     EXPECT_EQ(per_corner.texture(per_corner.texture_triangles(0, 0), 0), 0.0f);
 }
 
 TEST(Ply, StripsAlternateTheirOrientation) {
-    const TriMesh mesh = parse(
+    const TriMesh mesh = parse_mesh(
         "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
         "property float z\nelement tristrips 1\nproperty list int int vertex_indices\n"
-        "end_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n8 0 1 2 3 -1 0 1 2\n");
+        "end_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n8 0 1 2 3 -1 0 1 2\n",
+        "ply");
     EXPECT_EQ(mesh.triangles, triangles_of({{0, 1, 2}, {2, 1, 3}, {0, 1, 2}}));
 }
 
@@ -137,13 +127,13 @@ TEST(Ply, ForgedCountsAreHeldAgainstTheFileBeforeAnythingIsAllocated) {
             const std::string vertices =
                 std::string("ply\nformat ") + format + " 1.0\nelement vertex " + count +
                 "\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n";
-            EXPECT_EQ(status_of(vertices), Status::bad_format) << count << format;
+            EXPECT_EQ(parse_status(vertices, "ply"), Status::bad_format) << count << format;
             const std::string faces = std::string("ply\nformat ") + format + " 1.0\nelement face " +
                                       count +
                                       "\nproperty list uchar int vertex_indices\nelement vertex 1\n"
                                       "property float x\nproperty float y\nproperty float z\n"
                                       "end_header\n0 0\n";
-            EXPECT_EQ(status_of(faces), Status::bad_format) << count << format;
+            EXPECT_EQ(parse_status(faces, "ply"), Status::bad_format) << count << format;
         }
     }
     // A list that promises more than the file holds.
@@ -153,14 +143,14 @@ TEST(Ply, ForgedCountsAreHeldAgainstTheFileBeforeAnythingIsAllocated) {
     for (std::int32_t length : {-1, 1000000, 2147483647}) {
         std::string file = list;
         put(file, length, false);
-        EXPECT_EQ(status_of(file + "some bytes"), Status::bad_format);
+        EXPECT_EQ(parse_status(file + "some bytes", "ply"), Status::bad_format);
     }
 }
 
 TEST(Ply, AnUnknownElementWithoutPropertiesCostsNothing) {
     std::string text = kSquare;
     text.insert(text.find("element vertex"), "element nothing 18446744073709551615\n");
-    EXPECT_EQ(parse(text).vertices.rows(), 4);
+    EXPECT_EQ(parse_mesh(text, "ply").vertices.rows(), 4);
 }
 
 TEST(Ply, BadHeadersAreRefused) {
@@ -168,9 +158,9 @@ TEST(Ply, BadHeadersAreRefused) {
     auto with = [&](const char* from, const char* to) {
         std::string text = good;
         text.replace(text.find(from), std::strlen(from), to);
-        return status_of(text);
+        return parse_status(text, "ply");
     };
-    ASSERT_EQ(status_of(good), Status::ok);
+    ASSERT_EQ(parse_status(good, "ply"), Status::ok);
     EXPECT_EQ(with("ply\n", "pyl\n"), Status::bad_format);
     EXPECT_EQ(with("format ascii 1.0\n", ""), Status::bad_format);
     EXPECT_EQ(with("ascii", "utf8"), Status::bad_format);

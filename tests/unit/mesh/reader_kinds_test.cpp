@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "mesh/mesh_file.hpp"
+#include "unit/mesh/parse_mesh.hpp"
 #include "unit/mesh/sample_meshes.hpp"
 #include "unit/scratch.hpp"
 
@@ -14,20 +15,6 @@ namespace {
 
 using namespace mien;
 using namespace mien::testing;
-
-TriMesh parse(const std::string& text, const char* extension) {
-    const std::vector<char> exact(text.begin(), text.end());
-    return read_mesh_memory(exact.data(), exact.size(), extension, Context());
-}
-
-std::string message_of(const std::string& text, const char* extension) {
-    try {
-        parse(text, extension);
-        return "read";
-    } catch (const Error& error) {
-        return error.what();
-    }
-}
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
     for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
@@ -60,7 +47,7 @@ void expect_square(const TriMesh& mesh, const std::string& what) {
 
 TEST(ReaderKinds, AByteOrderMarkBeforeTheTextIsSteppedOver) {
     for (const Sample& sample : kSamples)
-        expect_square(parse(std::string("\xef\xbb\xbf") + sample.text, sample.extension),
+        expect_square(parse_mesh(std::string("\xef\xbb\xbf") + sample.text, sample.extension),
                       sample.extension);
 }
 
@@ -70,14 +57,14 @@ TEST(ReaderKinds, TextInSixteenBitUnitsOfBothByteOrdersIsRead) {
             std::string wide = little ? "\xff\xfe" : "\xfe\xff";
             for (const char* c = sample.text; *c != '\0'; ++c)
                 wide += little ? std::string{*c, '\0'} : std::string{'\0', *c};
-            expect_square(parse(wide, sample.extension), sample.extension);
+            expect_square(parse_mesh(wide, sample.extension), sample.extension);
         }
 }
 
 TEST(ReaderKinds, AnyLineEndEndsALine) {
     for (const Sample& sample : kSamples)
         for (const char* end : {"\r", "\r\n", "\r\r\n", "\n\n", " \r", "\t\r\n"})
-            expect_square(parse(replaced(sample.text, "\n", end), sample.extension),
+            expect_square(parse_mesh(replaced(sample.text, "\n", end), sample.extension),
                           sample.extension);
 }
 
@@ -87,7 +74,7 @@ TEST(ReaderKinds, LeadingBlanksAndCapitalsDoNotHideAnAsciiStl) {
         if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
     for (const std::string& text :
          {capitals, "  \n\t " + std::string(kStl), "\r\n" + capitals, replaced(kStl, "s\n", "\n")})
-        expect_square(parse(text, "stl"), text);
+        expect_square(parse_mesh(text, "stl"), text);
 }
 
 TEST(ReaderKinds, WordsForUndefinedNumbersAreNotANumberAndUnusedPointsGo) {
@@ -97,13 +84,13 @@ TEST(ReaderKinds, WordsForUndefinedNumbersAreNotANumberAndUnusedPointsGo) {
         const std::string point = std::string(word) + " 0 " + word + "\n";
         const std::string obj = std::string("v ") + point + "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n" +
                                 "v 2 " + point + "f 2 3 4\nf 2 4 5\n";
-        expect_square(parse(obj, "obj"), word);
+        expect_square(parse_mesh(obj, "obj"), word);
         std::string ply = replaced(kPly, "vertex 4", "vertex 5");
         ply = replaced(ply, "end_header\n", "end_header\n" + point);
         ply = replaced(replaced(ply, "3 0 2 3", "3 1 3 4"), "3 0 1 2", "3 1 2 3");
-        expect_square(parse(ply, "ply"), word);
+        expect_square(parse_mesh(ply, "ply"), word);
         // Where a triangle uses the point nothing is dropped without a word.
-        EXPECT_NE(message_of(replaced(obj, "f 2 3 4", "f 1 3 4"), "obj").find("not finite"),
+        EXPECT_NE(parse_message(replaced(obj, "f 2 3 4", "f 1 3 4"), "obj").find("not finite"),
                   std::string::npos)
             << word;
         // A normal that nobody uses may be anything.
@@ -111,38 +98,39 @@ TEST(ReaderKinds, WordsForUndefinedNumbersAreNotANumberAndUnusedPointsGo) {
             replaced(replaced(kPly, "float z\n", "float z\nproperty float nx\n"), "0 0\n",
                      "0 0 " + std::string(word) + "\n");
         expect_square(
-            parse(replaced(replaced(normals, "1 1 0\n", "1 1 0 1\n"), "0 1 0\n", "0 1 0 1\n"),
-                  "ply"),
+            parse_mesh(replaced(replaced(normals, "1 1 0\n", "1 1 0 1\n"), "0 1 0\n", "0 1 0 1\n"),
+                       "ply"),
             word);
     }
     // A comment after a number is none of these.
-    EXPECT_EQ(parse("v 1 2 3.#IN\nv 0 0 1.# x\n", "obj").vertices(1, 2), 1.0);
-    EXPECT_EQ(parse("v 1 2 3 # IND\n", "obj").vertices(0, 2), 3.0);
+    EXPECT_EQ(parse_mesh("v 1 2 3.#IN\nv 0 0 1.# x\n", "obj").vertices(1, 2), 1.0);
+    EXPECT_EQ(parse_mesh("v 1 2 3 # IND\n", "obj").vertices(0, 2), 3.0);
 }
 
 TEST(ReaderKinds, ExponentsOfFortranAreUnderstood) {
-    EXPECT_EQ(parse("v 1.5D+02 -2d-1 3.D0\n", "obj").vertices, points_of({{150, -0.2, 3}}));
-    EXPECT_EQ(message_of("v 1.5D 0 0\n", "obj").substr(0, 6), "line 1");
+    EXPECT_EQ(parse_mesh("v 1.5D+02 -2d-1 3.D0\n", "obj").vertices, points_of({{150, -0.2, 3}}));
+    EXPECT_EQ(parse_message("v 1.5D 0 0\n", "obj").substr(0, 6), "line 1");
 }
 
 TEST(ReaderKinds, FaceListsUnderOtherNamesAreReadOrNamed) {
     for (const char* name : {"vertices", "vertex_indexes", "vertexIndices", "VERTEX_INDICES",
                              "verts", "indices", "vertex_index"})
-        expect_square(parse(replaced(kPly, "vertex_indices", name), "ply"), name);
+        expect_square(parse_mesh(replaced(kPly, "vertex_indices", name), "ply"), name);
     for (const char* name : {"faces", "Face", "triangles", "polygon", "cells"})
-        expect_square(parse(replaced(kPly, "element face", std::string("element ") + name), "ply"),
-                      name);
-    const std::string odd = message_of(replaced(kPly, "vertex_indices", "my_list"), "ply");
+        expect_square(
+            parse_mesh(replaced(kPly, "element face", std::string("element ") + name), "ply"),
+            name);
+    const std::string odd = parse_message(replaced(kPly, "vertex_indices", "my_list"), "ply");
     EXPECT_NE(odd.find("'my_list'"), std::string::npos) << odd;
     EXPECT_NE(odd.find("vertex_indices"), std::string::npos) << odd;
     const std::string none =
-        message_of(replaced(replaced(kPly, "list uchar int vertex_indices",
-                                     "int a\nproperty int b\nproperty int c\nproperty int d"),
-                            "x", "x"),
-                   "ply");
+        parse_message(replaced(replaced(kPly, "list uchar int vertex_indices",
+                                        "int a\nproperty int b\nproperty int c\nproperty int d"),
+                               "x", "x"),
+                      "ply");
     EXPECT_NE(none.find("vertex_indices"), std::string::npos) << none;
     // Two lists, neither by its name: not guessed.
-    const std::string two = message_of(
+    const std::string two = parse_message(
         replaced(
             replaced(kPly, "vertex_indices", "vertices\nproperty list uchar int vertex_normals"),
             "3 0 1 2\n3 0 2 3", "3 0 1 2 0\n3 0 2 3 0"),
@@ -159,7 +147,7 @@ TEST(ReaderKinds, ABinaryPlyMayHaveAHeaderOfLoneReturnsAndDataThatLooksLikeALine
         const float values[3] = {1.f, 2.f, 3.f};
         file += '\n';  // the value of q
         file.append(reinterpret_cast<const char*>(values), sizeof values);
-        EXPECT_EQ(parse(file, "ply").vertices, points_of({{1, 2, 3}})) << int(end[0]);
+        EXPECT_EQ(parse_mesh(file, "ply").vertices, points_of({{1, 2, 3}})) << int(end[0]);
     }
 }
 
@@ -188,42 +176,42 @@ TEST(ReaderKinds, BinaryOffOfBothByteOrdersWithAndWithoutFaceColours) {
     for (const bool big : {true, false})
         for (const bool colors : {true, false}) {
             const std::string file = binary_off(big, colors);
-            expect_square(parse(file, "off"), file.substr(0, 3));
+            expect_square(parse_mesh(file, "off"), file.substr(0, 3));
             for (std::size_t size = 0; size < file.size(); ++size)
-                EXPECT_NE(message_of(file.substr(0, size), "off"), "read") << size;
+                EXPECT_NE(parse_message(file.substr(0, size), "off"), "read") << size;
         }
-    expect_square(parse(binary_off(false, true, "OFF BINARY\r\n"), "off"), "returns");
+    expect_square(parse_mesh(binary_off(false, true, "OFF BINARY\r\n"), "off"), "returns");
 }
 
 TEST(ReaderKinds, WhatAFileHoldsDecidesWhereItsNameMisleads) {
     std::vector<std::pair<std::string, std::string>> all;
     for (const Sample& sample : kSamples) all.emplace_back(sample.extension, sample.text);
     ScratchFolder folder;
-    TriMesh square = parse(kPly, "ply");
+    TriMesh square = parse_mesh(kPly, "ply");
     for (const char* name : {"b.ply", "b.stl"}) {
         write_mesh_file(folder / name, square, Context());
         all.emplace_back(name, read_bytes(folder / name));
     }
     for (const auto& file : all)
         for (const char* extension : {"ply", "obj", "stl", "off", "txt", ""})
-            expect_square(parse(file.second, extension), file.first + " as " + extension);
+            expect_square(parse_mesh(file.second, extension), file.first + " as " + extension);
 }
 
 TEST(ReaderKinds, DecimalCommasAreNotReadAsSeparators) {
     for (const char* text : {"1,5 2,25 3,75\n", "1,5;2,25;3,75\n", "0 0 0\n1 2 3,5\n"})
-        EXPECT_NE(message_of(text, "xyz").find("decimal"), std::string::npos) << text;
+        EXPECT_NE(parse_message(text, "xyz").find("decimal"), std::string::npos) << text;
     for (const char* text : {"1.5,2.25,3.75\n", "1.5, 2.25, 3.75\n", "1.5 , 2.25 , 3.75 \n",
                              "  1.5;2.25;3.75;\n", "1.5\t2.25\t3.75\r\n"})
-        EXPECT_EQ(parse(text, "xyz").vertices, points_of({{1.5, 2.25, 3.75}})) << text;
-    EXPECT_NE(message_of("v 1 2 3,5\n", "obj").find("decimal"), std::string::npos);
+        EXPECT_EQ(parse_mesh(text, "xyz").vertices, points_of({{1.5, 2.25, 3.75}})) << text;
+    EXPECT_NE(parse_message("v 1 2 3,5\n", "obj").find("decimal"), std::string::npos);
     for (const Sample& sample : kSamples)
-        EXPECT_NE(message_of(replaced(sample.text, "1 1 0\n", "1 1,5 0\n"), sample.extension),
+        EXPECT_NE(parse_message(replaced(sample.text, "1 1 0\n", "1 1,5 0\n"), sample.extension),
                   "read")
             << sample.extension;
 }
 
 TEST(ReaderKinds, FacesOfOldObjFilesAreNoPointCloud) {
-    expect_square(parse(replaced(kObj, "f ", "fo "), "obj"), "fo");
+    expect_square(parse_mesh(replaced(kObj, "f ", "fo "), "obj"), "fo");
 }
 
 TEST(ReaderKinds, NoFormatThatTellsItsEndIsReadCutShort) {
@@ -239,12 +227,12 @@ TEST(ReaderKinds, NoFormatThatTellsItsEndIsReadCutShort) {
     for (const Sample& sample :
          {Sample{"ply", kPly}, {"stl", kStl}, {"off", kOff}, {"vtk", kVtk}, {"vtp", kVtp}}) {
         const std::string whole = sample.text;
-        EXPECT_EQ(message_of(whole, sample.extension), "read") << sample.extension;
+        EXPECT_EQ(parse_message(whole, sample.extension), "read") << sample.extension;
         // A VTK file that ends before its polygons is a cloud of points.
         const std::size_t cloud = whole.find("POLYGONS");
         for (std::size_t size = cloud == std::string::npos ? 0 : cloud + 8; size + 3 < whole.size();
              ++size)
-            EXPECT_NE(message_of(whole.substr(0, size), sample.extension), "read")
+            EXPECT_NE(parse_message(whole.substr(0, size), sample.extension), "read")
                 << sample.extension << " cut to " << size;
     }
 }

@@ -6,28 +6,13 @@
 #include "base/error.hpp"
 #include "mesh/image.hpp"
 #include "mesh/mesh_file.hpp"
+#include "unit/mesh/parse_mesh.hpp"
 #include "unit/mesh/sample_meshes.hpp"
 
 namespace {
 
 using namespace mien;
 using namespace mien::testing;
-
-TriMesh parse(const std::string& bytes, const char* extension) {
-    const std::vector<char> exact(bytes.begin(), bytes.end());
-    return read_mesh_memory(exact.data(), exact.size(), extension, Context());
-}
-
-/// "read", or the message.
-std::string message_of(const std::string& bytes, const char* extension) {
-    try {
-        parse(bytes, extension);
-        return "read";
-    } catch (const Error& error) {
-        EXPECT_NE(error.status(), Status::internal);
-        return error.what();
-    }
-}
 
 void expect_square(const TriMesh& mesh, bool appearance) {
     EXPECT_EQ(mesh.vertices, points_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}));
@@ -55,11 +40,11 @@ std::string little(const std::vector<T>& values) {
     return std::string(reinterpret_cast<const char*>(values.data()), sizeof(T) * values.size());
 }
 
-const std::vector<float> kPoints = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+const std::vector<float> kVtkPoints = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
 const std::vector<float> kTexture = {0, 0, 1, 0, 1, 1, 0, 1};
 const std::vector<std::uint8_t> kColors = {255, 0, 0, 0, 255, 0, 0, 0, 255, 9, 8, 7};
 
-const std::string kAscii =
+const std::string kVtkAscii =
     "# vtk DataFile Version 3.0\na face\nASCII\nDATASET POLYDATA\nPOINTS 4 float\n"
     "0 0 0 1 0 0 1 1 0\n0 1 0\nVERTICES 1 2\n1 0\nPOLYGONS 2 8\n3 0 1 2\n3 0 2 3\n"
     "CELL_DATA 2\nSCALARS label int 1\nLOOKUP_TABLE default\n1 2\nPOINT_DATA 4\n"
@@ -68,8 +53,8 @@ const std::string kAscii =
 
 std::string binary_legacy(bool fifth) {
     std::string file = std::string("# vtk DataFile Version ") + (fifth ? "5.1" : "4.2") +
-                       "\nvtk output\nBINARY\nDATASET POLYDATA\nPOINTS 4 float\n" + big(kPoints) +
-                       "\n";
+                       "\nvtk output\nBINARY\nDATASET POLYDATA\nPOINTS 4 float\n" +
+                       big(kVtkPoints) + "\n";
     if (fifth)
         file += "METADATA\nINFORMATION 0\n\nPOLYGONS 3 6\nOFFSETS vtktypeint64\n" +
                 big<std::int64_t>({0, 3, 6}) + "\nCONNECTIVITY vtktypeint64\n" +
@@ -81,16 +66,17 @@ std::string binary_legacy(bool fifth) {
 }
 
 TEST(Vtk, LegacyFilesOfEveryEncodingAreRead) {
-    expect_square(parse(kAscii, "vtk"), true);
-    expect_square(parse(binary_legacy(false), "vtk"), true);
-    expect_square(parse(binary_legacy(true), "vtk"), true);
-    EXPECT_NE(message_of("# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\n", "vtk")
-                  .find("UNSTRUCTURED_GRID"),
-              std::string::npos);
+    expect_square(parse_mesh(kVtkAscii, "vtk"), true);
+    expect_square(parse_mesh(binary_legacy(false), "vtk"), true);
+    expect_square(parse_mesh(binary_legacy(true), "vtk"), true);
+    EXPECT_NE(
+        parse_message("# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\n", "vtk")
+            .find("UNSTRUCTURED_GRID"),
+        std::string::npos);
 }
 
 TEST(Vtk, StripsAlternateTheirDirection) {
-    const TriMesh mesh = parse(
+    const TriMesh mesh = parse_mesh(
         "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 4 double\n"
         "0 0 0 1 0 0 0 1 0 1 1 0\nTRIANGLE_STRIPS 1 5\n4 0 1 2 3\n",
         "vtk");
@@ -131,7 +117,7 @@ std::string appended_vtp() {
     std::string offsets[5];
     int next = 0;
     for (const std::string& array :
-         {little(kColors), little(kTexture), little(kPoints),
+         {little(kColors), little(kTexture), little(kVtkPoints),
           little<std::int64_t>({0, 1, 2, 0, 2, 3}), little<std::int64_t>({3, 6})}) {
         offsets[next++] = "format=\"appended\" offset=\"" + std::to_string(data.size()) + "\"";
         data += little<std::uint32_t>({static_cast<std::uint32_t>(array.size())}) + array;
@@ -171,44 +157,46 @@ std::string compressed_vtp(bool appended) {
 }
 
 TEST(Vtp, XmlFilesOfEveryEncodingAreRead) {
-    expect_square(parse(ascii_vtp(), "vtp"), true);
-    expect_square(parse(appended_vtp(), "vtp"), true);
+    expect_square(parse_mesh(ascii_vtp(), "vtp"), true);
+    expect_square(parse_mesh(appended_vtp(), "vtp"), true);
     if (!images_are_decoded()) GTEST_SKIP() << "built without zlib";
-    expect_square(parse(compressed_vtp(false), "vtp"), true);
-    expect_square(parse(compressed_vtp(true), "vtp"), true);
+    expect_square(parse_mesh(compressed_vtp(false), "vtp"), true);
+    expect_square(parse_mesh(compressed_vtp(true), "vtp"), true);
 }
 
 TEST(Vtp, EveryTruncatedLengthAndFlippedBitIsHandled) {
-    for (const std::string& whole : {kAscii, binary_legacy(false), binary_legacy(true), ascii_vtp(),
-                                     appended_vtp(), compressed_vtp(false), compressed_vtp(true)}) {
+    for (const std::string& whole :
+         {kVtkAscii, binary_legacy(false), binary_legacy(true), ascii_vtp(), appended_vtp(),
+          compressed_vtp(false), compressed_vtp(true)}) {
         const char* extension = whole[0] == '#' ? "vtk" : "vtp";
         for (std::size_t size = 0; size < whole.size(); ++size)
-            message_of(whole.substr(0, size), extension);
+            parse_message(whole.substr(0, size), extension);
         for (std::size_t bit = 0; bit < 8 * whole.size(); bit += 3) {
             std::string damaged = whole;
             damaged[bit / 8] = static_cast<char>(damaged[bit / 8] ^ (1 << bit % 8));
-            message_of(damaged, extension);
+            parse_message(damaged, extension);
         }
     }
 }
 
 TEST(Xyz, PointsWithColoursNormalsHeadingsAndSeparators) {
-    EXPECT_EQ(parse("X Y Z\n0 0 0\n1.5 2 -3e1\n", "xyz").vertices,
+    EXPECT_EQ(parse_mesh("X Y Z\n0 0 0\n1.5 2 -3e1\n", "xyz").vertices,
               points_of({{0, 0, 0}, {1.5, 2, -30}}));
-    EXPECT_EQ(parse("# c\n2\n0,0,0\n1,2,3\n", "xyz").vertices, points_of({{0, 0, 0}, {1, 2, 3}}));
-    EXPECT_EQ(parse("0;0;0\r1;2;3\r", "xyz").vertices, points_of({{0, 0, 0}, {1, 2, 3}}));
-    EXPECT_EQ(parse("0 0 0 255 0 7\n1 2 3 0 0 0\n", "xyz").colors.row(0),
+    EXPECT_EQ(parse_mesh("# c\n2\n0,0,0\n1,2,3\n", "xyz").vertices,
+              points_of({{0, 0, 0}, {1, 2, 3}}));
+    EXPECT_EQ(parse_mesh("0;0;0\r1;2;3\r", "xyz").vertices, points_of({{0, 0, 0}, {1, 2, 3}}));
+    EXPECT_EQ(parse_mesh("0 0 0 255 0 7\n1 2 3 0 0 0\n", "xyz").colors.row(0),
               (Eigen::Matrix<std::uint8_t, 1, 3>(255, 0, 7)));
-    EXPECT_EQ(parse("0 0 0 0.5 0.25 1\n1 2 3 0 0 0\n", "xyz").colors.row(0),
+    EXPECT_EQ(parse_mesh("0 0 0 0.5 0.25 1\n1 2 3 0 0 0\n", "xyz").colors.row(0),
               (Eigen::Matrix<std::uint8_t, 1, 3>(128, 64, 255)));
-    EXPECT_EQ(parse("0 0 0 0 0.6 0.8\n1 2 3 0 0 1\n", "xyz").colors.rows(), 0);
-    EXPECT_EQ(parse("0 0 0 0 0.6 -0.8\n1 2 3 0 0 1\n", "xyz").colors.rows(), 0);
-    EXPECT_EQ(parse("0 0 0 17 1 2 3\n1 2 3 0 200 0 0\n", "xyz").colors.row(0),
+    EXPECT_EQ(parse_mesh("0 0 0 0 0.6 0.8\n1 2 3 0 0 1\n", "xyz").colors.rows(), 0);
+    EXPECT_EQ(parse_mesh("0 0 0 0 0.6 -0.8\n1 2 3 0 0 1\n", "xyz").colors.rows(), 0);
+    EXPECT_EQ(parse_mesh("0 0 0 17 1 2 3\n1 2 3 0 200 0 0\n", "xyz").colors.row(0),
               (Eigen::Matrix<std::uint8_t, 1, 3>(1, 2, 3)));
-    EXPECT_EQ(parse("0 0 0\nnan nan nan\n1 2 3\n", "xyz").vertices.rows(), 2);
+    EXPECT_EQ(parse_mesh("0 0 0\nnan nan nan\n1 2 3\n", "xyz").vertices.rows(), 2);
     for (const char* text :
          {"", "a b c\n", "0 0\n1 1\n", "0 0 0\n1 1\n", "0 0 0\n1 2 3 x\n", "0 0 0\n1 2 3 4\n"})
-        EXPECT_NE(message_of(text, "xyz"), "read") << text;
+        EXPECT_NE(parse_message(text, "xyz"), "read") << text;
 }
 
 }  // namespace
