@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "commands.hpp"
+#include "confusion.hpp"
 #include "plot.hpp"
 #include "render.hpp"
 
@@ -14,8 +15,8 @@ namespace {
 
 struct ScoreCommand {
     Common common;
-    std::string data, grades, model, in, out, picture, zones, zone, stable, method = "nipals",
-                                                                            values;
+    std::string data, grades, model, in, out, picture, confusion, zones, zone, stable,
+        method = "nipals", values;
     int components = 0, max_components = 10, folds = 10, grade_count = 0;
     bool uniform = false;
     std::string features = "basic";
@@ -65,6 +66,31 @@ std::vector<std::uint32_t> zone_named(const ScoreCommand& settings, const std::s
     for (auto& [known, vertices] : read_zones(settings.zones))
         if (known == name) return vertices;
     throw std::runtime_error(settings.zones + ": has no zone '" + name + "'");
+}
+
+/// Mean grades to whole ones, halves upwards; -1 where there is none.
+std::vector<int> whole_grades(const std::vector<double>& grades) {
+    std::vector<int> whole;
+    whole.reserve(grades.size());
+    for (const double grade : grades)
+        whole.push_back(std::isnan(grade) ? -1 : std::max(0, static_cast<int>(grade + 0.5)));
+    return whole;
+}
+
+/// Whole grades of the raters against those that the model gave faces held out of its training.
+/// Grades are in the file's order, the model's predictions in that of the graded faces.
+Confusion confusion_of_training(const std::vector<double>& grades, const nlohmann::json& report) {
+    std::vector<double> given, predicted;
+    for (const double grade : grades)
+        if (!std::isnan(grade)) given.push_back(grade);
+    for (const nlohmann::json& value : report["held_out_predictions"])
+        predicted.push_back(value.get<double>());
+    Confusion confusion;
+    confusion.counts = confusion_counts(whole_grades(given), whole_grades(predicted), 0);
+    confusion.title = "Faces held out";
+    confusion.row_label = "raters' grade";
+    confusion.column_label = "model's grade";
+    return confusion;
 }
 
 /// The cross-validated error over the number of components, and the latent variables on the
@@ -122,8 +148,8 @@ void run_train(const ScoreCommand& settings) {
     options.zone = zone_named(settings, settings.zone);
     options.stable_zone = zone_named(settings, settings.stable);
     options.progress = progress_bar();
-    const ScoreModel model =
-        ScoreModel::train(session, settings.data, read_grades(settings.grades), options);
+    const std::vector<double> grades = read_grades(settings.grades);
+    const ScoreModel model = ScoreModel::train(session, settings.data, grades, options);
     model.save(session, settings.out);
     nlohmann::json report = nlohmann::json::parse(model.json());
     std::printf("%d faces, %d components (least error: %d); held-out faces: error %.3f, R2 %.3f\n",
@@ -131,6 +157,9 @@ void run_train(const ScoreCommand& settings) {
                 report["best_components"].get<int>(), report["rmse_cross_validated"].get<double>(),
                 report["q2"].get<double>());
     if (!settings.picture.empty()) draw_training(settings.picture, session, model, report);
+    const Confusion confusion = confusion_of_training(grades, report);
+    if (!settings.confusion.empty()) write_png(settings.confusion, draw_confusion(confusion));
+    report["confusion"] = confusion.counts;
     report["model"] = settings.out;
     write_report(settings.common, report);
 }
@@ -180,6 +209,22 @@ void run_simulate(const ScoreCommand& settings) {
                  {{"in", settings.in}, {"target", settings.target}, {"out", settings.out}});
 }
 
+/// A matrix for each pair of raters.
+void draw_agreement(const std::string& path, const nlohmann::json& report) {
+    std::vector<Confusion> matrices;
+    for (const nlohmann::json& pair : report["pairs"]) {
+        Confusion one;
+        one.counts = pair["confusion"].get<std::vector<std::vector<double>>>();
+        one.row_label = "rater " + std::to_string(pair["raters"][0].get<int>() + 1);
+        one.column_label = "rater " + std::to_string(pair["raters"][1].get<int>() + 1);
+        one.title = "agree " +
+                    short_number(std::round(1000 * pair["percent_agreement"].get<double>()) / 10) +
+                    " %";
+        matrices.push_back(std::move(one));
+    }
+    write_png(path, draw_confusions(matrices));
+}
+
 void run_agreement(const ScoreCommand& settings) {
     const nlohmann::json file = read_json(settings.grades);
     std::vector<std::int32_t> ratings;
@@ -213,6 +258,7 @@ void run_agreement(const ScoreCommand& settings) {
                     pair.contains("kappa_quadratic")
                         ? pair["kappa_quadratic"]["kappa"].dump().c_str()
                         : "none");
+    if (!settings.picture.empty()) draw_agreement(settings.picture, report);
     write_report(settings.common, report);
 }
 
@@ -320,6 +366,8 @@ void add_score_training(CLI::App* score, const Settings& settings) {
     train->add_option("--out", settings->out, "score model")->required();
     train->add_option("--picture", settings->picture,
                       "PNG: error by components, latent variables on the face");
+    train->add_option("--confusion", settings->confusion,
+                      "PNG: raters' whole grades against the model's, of faces held out");
     add_common_options(*train, settings->common, true);
     train->footer(
         "Example: mien score train --data faces.safetensors --grades grades.json --range 0 4 --out "
@@ -356,8 +404,12 @@ void add_statistics(CLI::App* score, const Settings& settings) {
                      "{\"grades\": [[rater 1, rater 2, ...], ...]}, null: missing")
         ->required();
     agreement->add_option("--grade-count", settings->grade_count, "default: the highest grade + 1");
+    agreement->add_option("--picture", settings->picture,
+                          "PNG: the confusion matrix of each pair of raters");
     add_common_options(*agreement, settings->common);
-    agreement->footer("Example: mien score agreement --grades grades.json --json agreement.json");
+    agreement->footer(
+        "Example: mien score agreement --grades grades.json --json agreement.json --picture "
+        "pairs.png");
     agreement->callback([settings] { run_agreement(*settings); });
 
     CLI::App* repeat =

@@ -8,9 +8,9 @@
 #include <map>
 #include <memory>
 
+#include "band_choice.hpp"
 #include "commands.hpp"
 #include "fields.hpp"
-#include "plot.hpp"
 #include "spectral_commands.hpp"
 #include "topology.hpp"
 
@@ -332,31 +332,6 @@ void add_metric(CLI::App& app) {
     add_field_options(*sub, a);
 }
 
-void draw_front(const std::string& path, const std::vector<mien_band_choice>& choices,
-                const std::string& expression) {
-    Curve all, front;
-    all.label = "every k";
-    all.line = false;
-    all.markers = true;
-    front.label = "Pareto front";
-    front.markers = true;
-    std::vector<mien_band_choice> sorted = choices;
-    std::sort(sorted.begin(), sorted.end(),
-              [](const auto& x, const auto& y) { return x.l1_mm < y.l1_mm; });
-    for (const auto& choice : sorted) {
-        all.x.push_back(choice.l1_mm);
-        all.y.push_back(choice.fmpd);
-        if (choice.on_front == 0) continue;
-        front.x.push_back(choice.l1_mm);
-        front.y.push_back(choice.fmpd);
-    }
-    PlotOptions options;
-    options.title = "band limit k for " + expression;
-    options.x_label = "L1, mm";
-    options.y_label = "FMPD";
-    write_png(path, draw_plot({all, front}, options));
-}
-
 std::string stem_of(const std::string& path) {
     return std::filesystem::u8path(path).stem().u8string();
 }
@@ -448,21 +423,14 @@ void run_transfer(const Arguments& a) {
         basis = std::make_unique<SpectralBasis>(SpectralBasis::load(session, a.basis));
     if (!a.validate.empty()) {
         if (!basis) throw CLI::ValidationError("--validate", "a search over k needs --basis");
-        const auto choices =
-            model.search(session, *basis, a.validate, a.expression, a.candidates, options);
-        nlohmann::json list = nlohmann::json::array();
-        for (const auto& c : choices) {
-            list.push_back({{"k", c.k},
-                            {"l1_mm", c.l1_mm},
-                            {"dame", c.dame},
-                            {"fmpd", c.fmpd},
-                            {"on_front", c.on_front != 0},
-                            {"chosen", c.chosen != 0}});
-            if (c.chosen != 0) k = c.k;
-        }
-        report["search"] = list;
+        const BandSearch search = search_bands(session, model, *basis, a.data, a.validate,
+                                               a.expression, a.candidates, options);
+        for (const mien_band_choice& choice : search.choices)
+            if (choice.chosen != 0) k = choice.k;
+        print_bands(search);
+        report.update(bands_json(search));
         report["k"] = k;
-        if (!a.picture.empty()) draw_front(a.picture, choices, a.expression);
+        if (!a.picture.empty()) draw_bands(a.picture, search, a.expression);
         if (k > basis->mode_count()) k = std::uint64_t{0x7fffffff};  // coordinates alone
     }
     if (!a.third.empty() && !a.out.empty()) {
@@ -522,7 +490,9 @@ void add_transfer(CLI::App& app) {
     });
     sub->add_option("--validate", a->validate, "Dataset of other subjects on which k is chosen");
     sub->add_option("--candidates", a->candidates, "Values of k to try")->capture_default_str();
-    sub->add_option("--plot", a->picture, "PNG of L1 against FMPD with the Pareto front");
+    sub->add_option(
+        "--plot", a->picture,
+        "PNG of L1 against FMPD and DAME with the Pareto fronts and the mean displacement");
     sub->add_option("--model-out", a->second_out, "Blendshape model file to write");
     sub->add_option("--target", a->third, "Neutral face of the target")
         ->needs(sub->add_option("--out", a->out,

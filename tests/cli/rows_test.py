@@ -197,6 +197,73 @@ class Codes(unittest.TestCase):
         self.assertTrue(all(abs(x - 1) < 1e-9 for x in up))
 
 
+def faces_of(path, expression):
+    """{subject: [(x, y, z), ...]} of one expression of a dataset."""
+    raw = Path(path).read_bytes()
+    length = struct.unpack_from("<Q", raw)[0]
+    header = json.loads(raw[8:8 + length])
+
+    def numbers(name, kind):
+        first, last = header[name]["data_offsets"]
+        return struct.unpack_from(f"<{(last - first) // 4}{kind}", raw, 8 + length + first)
+
+    wanted = json.loads(header["__metadata__"]["expression_names"]).index(expression)
+    count, size = header["vertices"]["shape"][:2]
+    places, subjects, expressions = numbers("vertices", "f"), numbers("subject", "i"), numbers("expression", "i")
+    return {subjects[k]: places[3 * size * k:3 * size * (k + 1)] for k in range(count) if expressions[k] == wanted}
+
+
+class Blendshapes(unittest.TestCase):
+    def test_a_search_for_the_band_limit_stands_beside_the_mean_displacement(self):
+        train, test = WORK / "demo/train.safetensors", WORK / "demo/test.safetensors"
+        must("spectral", "basis", "--mean", WORK / "demo/template.ply", "--modes", "20", "--out", WORK / "bands.safetensors")
+        out = must("transfer-expression", "--data", train, "--expression", "grin", "--basis", WORK / "bands.safetensors",
+                   "--validate", test, "--candidates", "0", "10", "1000000000", "--plot", WORK / "bands.png", "--model-out",
+                   WORK / "grin.safetensors", "--json", WORK / "bands.json")
+        self.assertIn("mean displacement", out)
+        self.assertEqual((WORK / "bands.png").read_bytes()[:8], PNG)
+        report = read(WORK / "bands.json")
+        self.assertEqual([row["k"] for row in report["search"]], [0, 10, 1000000000])
+        # By hand, without the alignment to the mean face, which turns demo people by little.
+        neutral, grin = faces_of(train, "neutral"), faces_of(train, "grin")
+        moved = [sum(grin[s][i] - neutral[s][i] for s in grin) / len(grin) for i in range(len(next(iter(grin.values()))))]
+        others, truth = faces_of(test, "neutral"), faces_of(test, "grin")
+        l1 = sum(abs(truth[s][i] - others[s][i] - moved[i]) for s in truth for i in range(len(moved))) / (len(truth) * len(moved) / 3)
+        self.assertLess(abs(report["mean_displacement"]["l1_mm"] / l1 - 1), 0.1)
+        # A model from a file has no faces to take the mean of.
+        must("transfer-expression", "--model", WORK / "grin.safetensors", "--expression", "grin", "--basis",
+             WORK / "bands.safetensors", "--validate", test, "--candidates", "0", "10", "--json", WORK / "again.json")
+        self.assertIsNone(read(WORK / "again.json")["mean_displacement"])
+
+
+class Scores(unittest.TestCase):
+    def test_raters_are_compared_in_a_picture_of_their_confusion(self):
+        (WORK / "grades.json").write_text(json.dumps({"grades": [[0, 0, 1], [1, 1, 2], [2, 1, 2], [3, 3, None], [1, 0, 1]]}))
+        must("score", "agreement", "--grades", WORK / "grades.json", "--json", WORK / "agree.json", "--picture", WORK / "agree.png")
+        self.assertEqual(read(WORK / "agree.json")["pairs"][0]["confusion"], [[1, 0, 0, 0], [1, 1, 0, 0], [0, 1, 0, 0], [0, 0, 0, 1]])
+        # Three pairs stand side by side, two raters alone take a third of the width.
+        (WORK / "two.json").write_text(json.dumps({"grades": [[0, 0], [1, 1], [2, 1], [3, 3]]}))
+        must("score", "agreement", "--grades", WORK / "two.json", "--picture", WORK / "two.png")
+        width = [struct.unpack_from(">I", (WORK / name).read_bytes(), 16)[0] for name in ("agree.png", "two.png")]
+        self.assertEqual(width[0], 3 * width[1])
+
+    def test_a_trained_score_tells_how_it_grades_faces_held_out(self):
+        raw = (WORK / "demo/train.safetensors").read_bytes()
+        count = json.loads(raw[8:8 + struct.unpack_from("<Q", raw)[0]])["vertices"]["shape"][0]
+        grades = [k % 3 if k % 7 else None for k in range(count)]
+        (WORK / "faces.json").write_text(json.dumps({"grades": grades}))
+        must("score", "train", "--data", WORK / "demo/train.safetensors", "--grades", WORK / "faces.json", "--components", "1",
+             "--folds", "3", "--out", WORK / "score.safetensors", "--confusion", WORK / "score.png", "--json", WORK / "score.json")
+        report = read(WORK / "score.json")
+        given = [g for g in grades if g is not None]
+        told = [max(0, int(value + 0.5)) for value in report["held_out_predictions"]]
+        self.assertEqual(len(told), len(given))
+        for row, counts in enumerate(report["confusion"]):
+            for column, number in enumerate(counts):
+                self.assertEqual(number, sum(g == row and t == column for g, t in zip(given, told)))
+        self.assertEqual((WORK / "score.png").read_bytes()[:8], PNG)
+
+
 class Fields(unittest.TestCase):
     def test_geodesics_from_landmarks(self):
         marks = read(WORK / "demo/landmarks.json")["vertices"]
