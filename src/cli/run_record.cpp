@@ -200,7 +200,7 @@ class Replay {
         const fs::path folder = scratch_.path() / std::to_string(moved_.size());
         fs::create_directory(folder);
         const std::string name = fs::u8path(path).filename().u8string();
-        const std::string to = (folder / fs::u8path(name.empty() ? "out" : name)).u8string();
+        std::string to = (folder / fs::u8path(name.empty() ? "out" : name)).u8string();
         moved_[path] = to;
         return to;
     }

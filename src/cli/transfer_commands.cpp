@@ -158,6 +158,7 @@ nlohmann::json landmarks_to_template(const Session& session, const TransferArgum
                                      const Mesh& fitted) {
     const std::vector<NamedPoint> points = read_landmark_points(arguments.what);
     std::vector<Position> places;
+    places.reserve(points.size());
     for (const NamedPoint& point : points) places.push_back(point.point);
     const Carried carried = carry(session, fitted, places, arguments.max_distance);
     const std::vector<Triangle> triangles = fitted.triangles();
