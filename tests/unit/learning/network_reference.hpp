@@ -27,14 +27,21 @@ class ReferenceLayer {
     }
 
   private:
+    /// Looked up once for each place that names a role: by name it takes most of the test's time.
+    const NetworkTensor& tensor(const char* role) const {
+        for (const auto& [name, found] : known_)
+            if (name == role) return *found;
+        known_.emplace_back(role, &network_.tensor(layer_, role));
+        return *known_.back().second;
+    }
     double f(const char* role, Index k) const {
-        return static_cast<double>(network_.tensor(layer_, role).floats()[k]);
+        return static_cast<double>(tensor(role).floats()[k]);
     }
     Index n(const char* role, Index k) const {
-        return static_cast<Index>(network_.tensor(layer_, role).numbers()[k]);
+        return static_cast<Index>(tensor(role).numbers()[k]);
     }
     Index size(const char* role, std::size_t axis) const {
-        return static_cast<Index>(network_.tensor(layer_, role).shape[axis]);
+        return static_cast<Index>(tensor(role).shape[axis]);
     }
     double at(const Numbers& x, Index row, Index channel) const {
         return row == layer_.rows_in ? 0.0 : x[static_cast<std::size_t>(row * in_ + channel)];
@@ -185,6 +192,7 @@ class ReferenceLayer {
     const NetworkLayers& network_;
     const NetworkLayer& layer_;
     Index in_, out_;
+    mutable std::vector<std::pair<const char*, const NetworkTensor*>> known_;
 };
 
 inline Numbers reference_run(const NetworkLayers& network, const std::vector<NetworkLayer>& layers,

@@ -60,14 +60,12 @@ void expect_as_written(const NetworkLayers& network, const std::vector<NetworkLa
     check_layers(network);
     const NetworkProgram program(network, layers, {});
     const std::vector<float> in = random_input(program.inputs(), seed);
+    const Numbers right = reference_run(network, layers, Numbers(in.begin(), in.end()));
     std::vector<float> out(program.outputs());
     for (const bool portable : {false, true}) {
         dense::use_portable_loops(portable);
         program.run(in.data(), out.data(), {});
-        EXPECT_LT(
-            relative_error(out, reference_run(network, layers, Numbers(in.begin(), in.end()))),
-            1e-5)
-            << what << (portable ? ", portable" : "");
+        EXPECT_LT(relative_error(out, right), 1e-5) << what << (portable ? ", portable" : "");
     }
     dense::use_portable_loops(false);
 }
