@@ -65,9 +65,10 @@ void DepthGrid::find_camera(const DepthGridSettings& settings) {
     Line columns, rows;
     for (Index i = 0; i < points_.rows(); i += stride) {
         if (!seen_[static_cast<std::size_t>(i)]) continue;
+        const Index row = i / width_, column = i % width_;
         const double z = static_cast<double>(points_(i, 2));
-        columns.add(static_cast<double>(points_(i, 0)) / z, static_cast<double>(i % width_));
-        rows.add(static_cast<double>(points_(i, 1)) / z, static_cast<double>(i / width_));
+        columns.add(static_cast<double>(points_(i, 0)) / z, static_cast<double>(column));
+        rows.add(static_cast<double>(points_(i, 1)) / z, static_cast<double>(row));
     }
     double column_misfit = 0, row_misfit = 0;
     const bool found = columns.solve(camera_.focal_x, camera_.centre_x, column_misfit) &&
