@@ -8,13 +8,8 @@
 #include <filesystem>
 
 #include "base/error.hpp"
-#include "base/json_text.hpp"
-#include "base/json_tree.hpp"
 #include "base/random.hpp"
-#include "base/safetensors.hpp"
-#include "base/sha256.hpp"
-#include "training/adam.hpp"
-#include "training/torch_network.hpp"
+#include "training/checkpoint.hpp"
 
 namespace mien::training {
 namespace {
@@ -23,67 +18,6 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
-}
-
-/// One network being trained, with all of its faces.
-struct Half {
-    Half(std::string prefix, const BandToTrain& band, const torch::Device& device)
-        : name(std::move(prefix)),
-          initial(band.network),
-          training(band.training),
-          validation(band.validation),
-          model(band.network, torch::kFloat32, device),
-          adam(model.weights()),
-          last(band.network),
-          best(band.network) {
-        input = faces_of(training.input, training, training.channels, device);
-        target = training.output.empty()
-                     ? input
-                     : faces_of(training.output, training, channels_out(), device);
-        scale = blob(training.scale, {1, training.rows, channels_out()}).to(device);
-    }
-
-    Index channels_out() const { return initial.decoder.back().channels_out; }
-    static Tensor blob(const std::vector<float>& values, std::vector<int64_t> sizes) {
-        return torch::from_blob(const_cast<float*>(values.data()), sizes,
-                                torch::TensorOptions().dtype(torch::kFloat32))
-            .clone();
-    }
-    static Tensor faces_of(const std::vector<float>& values, const TrainingData& data,
-                           Index channels, const torch::Device& device) {
-        return blob(values, {data.faces, data.rows, channels}).to(device);
-    }
-
-    const std::string name;  ///< in front of its tensors in a checkpoint
-    const NetworkLayers& initial;
-    const TrainingData& training;
-    const TrainingData& validation;
-    TorchNetwork model;
-    Adam adam;
-    Tensor input, target, scale;
-    NetworkLayers last, best;
-};
-
-/// What a run must have in common with the one that its checkpoint came from.
-std::string fingerprint(const std::vector<std::unique_ptr<Half>>& halves,
-                        const TrainingSettings& s) {
-    Sha256 hash;
-    const auto add = [&](const void* data, std::size_t size) { hash.update(data, size); };
-    for (const auto& half : halves) {
-        const std::string layers = layers_json(half->initial);
-        add(layers.data(), layers.size());
-        for (const auto& entry : half->initial.tensors)
-            add(entry.second.data, static_cast<std::size_t>(entry.second.count()) * 4);
-        add(half->training.input.data(), half->training.input.size() * sizeof(float));
-        add(half->training.output.data(), half->training.output.size() * sizeof(float));
-    }
-    const double numbers[] = {
-        static_cast<double>(s.batch), s.learning_rate, s.decay, s.weight_decay, s.divergence,
-        static_cast<double>(s.seed)};
-    add(numbers, sizeof numbers);
-    if (halves.size() > 1) add(&s.conditioning, sizeof s.conditioning);
-    if (s.frozen_encoder) add("frozen", 6);
-    return hash.hex_digest();
 }
 
 /// One network, or two whose decoders take each other's code.
@@ -101,7 +35,8 @@ class Trainer {
     TrainingResult run(const std::string& checkpoint, const EpochListener& listener,
                        const std::atomic<bool>& stop) {
         const std::string mark = checkpoint.empty() ? "" : fingerprint(halves_, settings_);
-        if (!checkpoint.empty() && std::filesystem::exists(checkpoint)) resume(checkpoint, mark);
+        if (!checkpoint.empty() && std::filesystem::exists(checkpoint))
+            resume_checkpoint(checkpoint, mark, halves_, result_, best_loss_);
         const int first = static_cast<int>(result_.epochs.size());
         const bool validated = halves_[0]->validation.faces > 0;
         double spent = 0;
@@ -122,7 +57,7 @@ class Trainer {
             if (!validated) result_.best_epoch = epoch + 1;
             if (!checkpoint.empty() && (last || (settings_.checkpoint_every > 0 &&
                                                  (epoch + 1) % settings_.checkpoint_every == 0)))
-                save(checkpoint, mark);
+                save_checkpoint(checkpoint, mark, halves_, result_, best_loss_);
             listener(record, spent / (epoch + 1 - first) * (settings_.epochs - epoch - 1));
         }
         return finished(true);
@@ -310,103 +245,12 @@ class Trainer {
                record.high_validation_loss / std::max(first.high_validation_loss, 1e-30);
     }
 
-    void save(const std::string& path, const std::string& mark);
-    void resume(const std::string& path, const std::string& mark);
-
     const TrainingSettings& settings_;
     torch::Device device_;
-    std::vector<std::unique_ptr<Half>> halves_;
+    Halves halves_;
     TrainingResult result_;
     double best_loss_ = -1;
 };
-
-void Trainer::save(const std::string& path, const std::string& mark) {
-    std::vector<Tensor> kept;
-    std::vector<TensorToWrite> tensors;
-    const auto add = [&](const std::string& name, const Tensor& tensor) {
-        kept.push_back(tensor.detach().to(torch::kCPU).contiguous());
-        const auto sizes = kept.back().sizes();
-        tensors.push_back({name, DType::f32, std::vector<std::uint64_t>(sizes.begin(), sizes.end()),
-                           kept.back().data_ptr<float>()});
-    };
-    for (auto& half : halves_)
-        for (const auto& [name, weight] : half->model.weights()) {
-            add(half->name + "weight." + name, weight);
-            add(half->name + "first." + name, half->adam.first().at(name));
-            add(half->name + "second." + name, half->adam.second().at(name));
-            const NetworkTensor& best = half->best.tensors.at(name);
-            tensors.push_back({half->name + "best." + name, best.dtype, best.shape, best.data});
-        }
-    JsonText json;
-    json.begin_object().field("steps", halves_[0]->adam.steps());
-    json.field("best_epoch", result_.best_epoch);
-    json.field("best_loss", best_loss_).key("epochs").begin_array();
-    for (const EpochRecord& record : result_.epochs)
-        json.begin_array()
-            .number(record.training_loss)
-            .number(record.divergence)
-            .number(record.validation_loss)
-            .number(record.seconds)
-            .number(record.high_training_loss)
-            .number(record.high_validation_loss)
-            .end_array();
-    json.end_array().end_object();
-    write_safetensors(path, tensors,
-                      {{"kind", "mien-training-state"},
-                       {"units", "none"},
-                       {"fingerprint", mark},
-                       {"state", json.take()}},
-                      {});
-}
-
-void Trainer::resume(const std::string& path, const std::string& mark) {
-    const SafetensorsFile file = SafetensorsFile::open(path, {}, {});
-    file.require_kind("mien-training-state");
-    if (file.metadata("fingerprint") != mark)
-        fail(Status::mismatch,
-             "%.120s is of another network, other faces or other settings; remove it or choose "
-             "another folder",
-             path.c_str());
-    const torch::NoGradGuard no_gradient;
-    const auto read = [&](const std::string& name, Tensor to) {
-        std::vector<std::int64_t> shape(to.sizes().begin(), to.sizes().end());
-        const TensorView& view = file.tensor(name, DType::f32, shape);
-        to.copy_(torch::from_blob(const_cast<void*>(view.data), to.sizes(),
-                                  torch::TensorOptions().dtype(torch::kFloat32)));
-    };
-    const std::string& text = file.metadata("state");
-    const JsonTree state(text.data(), text.size(), "the training state");
-    for (auto& half : halves_) {
-        for (const auto& [name, weight] : half->model.weights()) {
-            read(half->name + "weight." + name, weight);
-            read(half->name + "first." + name, half->adam.first().at(name));
-            read(half->name + "second." + name, half->adam.second().at(name));
-            const TensorView& best = file.tensor(
-                half->name + "best." + name, DType::f32,
-                std::vector<std::int64_t>(weight.sizes().begin(), weight.sizes().end()));
-            const auto* data = static_cast<const float*>(best.data);
-            half->best.tensors[name] =
-                make_tensor(best.shape, std::vector<float>(data, data + best.count));
-        }
-        half->model.write_to(half->last);
-        half->adam.set_steps(static_cast<std::int64_t>(state.root()["steps"].count("steps")));
-    }
-    result_.best_epoch = static_cast<int>(state.root()["best_epoch"].count("best_epoch"));
-    best_loss_ = state.root()["best_loss"].number("best_loss");
-    for (const JsonTree::Value& row : state.root()["epochs"].items()) {
-        const std::vector<JsonTree::Value> numbers = row.items();
-        if (numbers.size() != 6) fail(Status::bad_format, "%.120s: no epochs", path.c_str());
-        EpochRecord record;
-        record.epoch = static_cast<int>(result_.epochs.size()) + 1;
-        record.training_loss = numbers[0].number("a loss");
-        record.divergence = numbers[1].number("a divergence");
-        record.validation_loss = numbers[2].number("a loss");
-        record.seconds = numbers[3].number("seconds");
-        record.high_training_loss = numbers[4].number("a loss");
-        record.high_validation_loss = numbers[5].number("a loss");
-        result_.epochs.push_back(record);
-    }
-}
 
 void check_settings(const TrainingSettings& s) {
     if (s.epochs < 1 || s.batch < 1 || !(s.learning_rate > 0) || !(s.decay > 0 && s.decay <= 1) ||
