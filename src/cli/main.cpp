@@ -2,6 +2,9 @@
 // on stderr: what, where, what to do), 2 wrong usage.
 #include <algorithm>
 #include <cstdio>
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
 
 #include "commands.hpp"
 #include "run_record.hpp"
@@ -86,8 +89,20 @@ int run_command_line(int argc, char** argv) {
     return 1;
 }
 
+/// One command and the process ends: what is freed is used again, not handed back to the system and
+/// asked for anew, page by page (4 to 6 % of a registration's processor seconds).
+void keep_freed_memory() {
+#if defined(__GLIBC__)
+    constexpr int kMost = 512 << 20, kStep = 16 << 20;  // bytes
+    mallopt(M_MMAP_THRESHOLD, kStep);
+    mallopt(M_TRIM_THRESHOLD, kMost);
+    mallopt(M_TOP_PAD, kStep);
+#endif
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+    keep_freed_memory();
     return run_command_line(argc, argv);
 }

@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::size_t kTaskItems = 4096;  // below this a task sorts a range to the end by itself
 constexpr std::size_t kBoxChunk = 2048;
+constexpr std::uint64_t kLowHalf = 0xffffffffu;
 constexpr float kBoxMargin = 2e-6f;  // of a box's largest coordinate
 
 float size_of(const Vector3& place) {
@@ -309,14 +310,33 @@ SurfaceHit TriangleTree::closest(const Vector3& point, double max_distance,
     return best;
 }
 
+// Numbers of the hits by their places in the tree, place << 32 | number; empty when there are none.
+std::vector<std::uint64_t> TriangleTree::order_of(const std::vector<SurfaceHit>& hits) const {
+    const auto hit = [](const SurfaceHit& one) { return one.valid(); };
+    if (hits.size() > kLowHalf || std::none_of(hits.begin(), hits.end(), hit)) return {};
+    std::vector<std::uint64_t> order(hits.size());
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        const std::uint32_t id = hits[i].triangle;
+        const std::uint64_t slot = id < slot_of_.size() ? slot_of_[id] : slot_of_.size();
+        order[i] = slot << 32 | i;
+    }
+    std::sort(order.begin(), order.end());
+    return order;
+}
+
 void TriangleTree::closest(const PointsRef& points, double max_distance,
                            std::vector<SurfaceHit>& hits, const Context& context) const {
     const std::size_t count = static_cast<std::size_t>(points.rows());
     if (hits.size() != count) hits.assign(count, SurfaceHit());
+    // Each answer is its own, so that their order is free: neighbours in the tree one after the
+    // other find its blocks in the cache.
+    const std::vector<std::uint64_t> order = order_of(hits);
     parallel_for(context, count, 256, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
+        for (std::size_t k = begin; k < end; ++k) {
+            const std::size_t i = order.empty() ? k : order[k] & kLowHalf;
             hits[i] = closest(points.row(static_cast<Index>(i)).transpose(), max_distance,
                               hits[i].triangle);
+        }
     });
 }
 

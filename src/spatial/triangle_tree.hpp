@@ -76,6 +76,7 @@ class TriangleTree {
     void sort_primitives(const PointsRef& vertices, const TrianglesRef& triangles,
                          const Context& context);
     void build_blocks(const Context& context);
+    std::vector<std::uint64_t> order_of(const std::vector<SurfaceHit>& hits) const;
     void build_boxes(const Context& context);
     tree_search::Tree view() const;
     Vector3 corner(std::size_t slot, int k) const {
