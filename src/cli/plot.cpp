@@ -8,7 +8,7 @@
 namespace mien::cli {
 namespace {
 
-constexpr int kLeft = 66, kRight = 18, kTop = 34, kBottom = 48;
+constexpr int kLeft = 78, kRight = 18, kTop = 34, kBottom = 48;
 
 /// One axis: data to 0..1, linear or logarithmic.
 struct Axis {
