@@ -36,6 +36,9 @@ void write_json(const std::string& path, const nlohmann::json& value);
 /// Writes a text or binary file whole; throws std::runtime_error naming the file.
 void write_file(const std::string& path, const std::string& content);
 
+/// By the library's own table of formats, in small or capital letters.
+bool is_mesh_name(const std::string& path);
+
 /// The picked landmarks of a file of a scan; of any kind that the library reads.
 struct NamedPoint {
     std::string name;
@@ -82,6 +85,7 @@ void add_geodesic_command(CLI::App& measure);
 // One function per file of commands; main.cpp calls them all.
 void add_model_commands(CLI::App& app);
 void add_registration_commands(CLI::App& app);
+void add_batch_commands(CLI::App& app);
 void add_transfer_commands(CLI::App& app);
 void add_mesh_commands(CLI::App& app);
 void add_landmark_commands(CLI::App& app);

@@ -93,6 +93,16 @@ void write_report(const Common& common, const nlohmann::json& report) {
     if (!common.json_path.empty()) write_json(common.json_path, report);
 }
 
+bool is_mesh_name(const std::string& path) {
+    const std::size_t dot = path.find_last_of("./\\");
+    if (dot == std::string::npos || path[dot] != '.') return false;
+    std::string extension = path.substr(dot + 1);
+    for (char& c : extension) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+    for (std::uint32_t k = 0; k < mien_mesh_format_count(); ++k)
+        if (extension == mien_mesh_format_extension(k)) return true;
+    return false;
+}
+
 nlohmann::json read_json(const std::string& path) {
     std::ifstream in(path, std::ios::binary);
     if (!in) throw std::runtime_error(path + ": cannot be opened for reading");

@@ -19,7 +19,7 @@ void group_by_job(CLI::App& app) {
         std::vector<std::string> commands;
     } kJobs[] = {
         {"Prepare", {"mesh", "landmarks", "model", "train"}},
-        {"Fit a scan", {"register", "transfer"}},
+        {"Fit scans", {"register", "batch", "transfer"}},
         {"Take expressions off, put them on", {"neutralize", "expression", "transfer-expression"}},
         {"Measure and report", {"measure", "report", "score"}},
         {"Frequencies and networks", {"spectral", "network"}},
@@ -46,6 +46,7 @@ int wrong_usage(const CLI::App& app, const CLI::ParseError& failure, int argc, c
 void add_commands(CLI::App& app) {
     mien::cli::add_model_commands(app);
     mien::cli::add_registration_commands(app);
+    mien::cli::add_batch_commands(app);
     mien::cli::add_transfer_commands(app);
     mien::cli::add_landmark_commands(app);
     mien::cli::add_mesh_commands(app);

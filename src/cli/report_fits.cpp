@@ -18,10 +18,7 @@ std::string extension_of(const fs::path& path) {
 
 /// A mesh, by the library's own table of formats, or a record of a fit.
 bool is_capture(const fs::path& path) {
-    const std::string extension = extension_of(path);
-    for (std::uint32_t k = 0; k < mien_mesh_format_count(); ++k)
-        if (extension == std::string(".") + mien_mesh_format_extension(k)) return true;
-    return extension == ".safetensors";
+    return is_mesh_name(path.u8string()) || extension_of(path) == ".safetensors";
 }
 
 /// A record beside a mesh of the same name holds that mesh: taken both, one fit would be two

@@ -99,7 +99,7 @@ class Mistyped(unittest.TestCase):
         status, out, _ = run("--help")
         self.assertEqual(status, 0)
         self.assertNotIn("Subcommands:", out)
-        self.assertLess(out.index("Fit a scan"), out.index("  register "))
+        self.assertLess(out.index("Fit scans"), out.index("  register "))
 
 
 class MainJob(unittest.TestCase):

@@ -26,6 +26,15 @@ OWN = None
 # Per command and option: the field of the library's options that must hold the same, and what the command's words stand for.
 # Names of the form function:value are what a function of the library does for 0.
 EVERYWHERE = {"--threads": "mien_session_options.num_threads"}
+REGISTER = {
+    "--landmark-sigma": "mien_register_options.landmark_sigma_mm",
+    "--weights": ("mien_register_options.skin_weights", {"none": 0, "skin": 1}),
+    "--growth": ("mien_register_options.growth", {"constant": 0, "linear": 1, "exponential": 2, "cubic": 3}),
+    "--units": ("mien_register_options.units", {"detect": 0, "refuse": 1}),
+    "--start": ("mien_register_options.start", {"automatic": 0, "landmarks": 1, "search": 3}),
+    "--max-modes": "mien_register_options.max_scalar_modes", "--max-pca-modes": "mien_register_options.max_pca_modes",
+    "--iterations": "mien_register_options.iterations", "--max-distance": "mien_register_options.max_distance_mm",
+    "--mutual": "mien_register_options.mutual_mm", "--soft": "mien_register_options.soft_mm", "--max-angle": OWN}
 TABLE = {
     "model build": {
         "--kernel": ("mien_model_options.kernel", KERNELS), "--sigma": "mien_model_options.sigma_mm",
@@ -39,15 +48,7 @@ TABLE = {
         "--kernel": ("mien_tune_options.kernel", KERNELS), "--scale": "mien_tune_options.scale_mm", "--nu": "mien_tune_options.nu",
         "--levels": "mien_tune_options.levels", "--modes": "mien_tune_options.num_modes", "--rho": "mien_tune_options.rho",
         "--subjects": "mien_tune_options.max_subjects"},
-    "register": {
-        "--landmark-sigma": "mien_register_options.landmark_sigma_mm",
-        "--weights": ("mien_register_options.skin_weights", {"none": 0, "skin": 1}),
-        "--growth": ("mien_register_options.growth", {"constant": 0, "linear": 1, "exponential": 2, "cubic": 3}),
-        "--units": ("mien_register_options.units", {"detect": 0, "refuse": 1}),
-        "--start": ("mien_register_options.start", {"automatic": 0, "landmarks": 1, "search": 3}),
-        "--max-modes": "mien_register_options.max_scalar_modes", "--max-pca-modes": "mien_register_options.max_pca_modes",
-        "--iterations": "mien_register_options.iterations", "--max-distance": "mien_register_options.max_distance_mm",
-        "--mutual": "mien_register_options.mutual_mm", "--soft": "mien_register_options.soft_mm", "--max-angle": OWN},
+    "register": REGISTER, "batch": REGISTER,
     "transfer": {"--what": OWN, "--max-distance": 0.0},  # 0 is the library's own limit
     "train": {
         "--method": ("mien_train_options.method", {"jpca": 0, "qojpca": 1}),

@@ -69,6 +69,43 @@ def setUpModule():
          demo / "scan/landmarks.json", "--out", WORK / "fitted.ply", "--record", WORK / "fit.safetensors", "--accept-failed")
 
 
+class Batch(unittest.TestCase):
+    def batch(self, *more):
+        return run("batch", "--model", WORK / "face.safetensors", "--out-dir", WORK / "fits", *more)
+
+    def test_each_scan_has_the_bits_of_register_and_a_bad_one_stops_no_other(self):
+        scans = WORK / "scans"
+        scans.mkdir()
+        for name in ("a", "b"):
+            shutil.copy(WORK / "demo/scan/scan_grin.ply", scans / f"{name}.ply")
+            shutil.copy(WORK / "demo/scan/landmarks.json", scans / f"{name}.marks.json")
+        (scans / "broken.PLY").write_bytes((scans / "a.ply").read_bytes()[:5000])
+        (scans / "notes.txt").write_text("no mesh")
+        status, out, err = self.batch("--scans", scans, "--landmarks-suffix", ".marks.json", "--records", "--accept-failed",
+                                      "--threads", "2", "--json", WORK / "fits.json")
+        self.assertEqual(status, 1)
+        self.assertIn("broken.PLY", err)
+        self.assertIn("1 of 3", err.splitlines()[-1])
+        self.assertIn("broken: not fitted", out)
+        for name in ("a", "b"):
+            self.assertEqual((WORK / f"fits/{name}.ply").read_bytes(), (WORK / "fitted.ply").read_bytes())
+            self.assertEqual((WORK / f"fits/{name}.safetensors").read_bytes(), (WORK / "fit.safetensors").read_bytes())
+            self.assertIn("radius95_mm", read(WORK / f"fits/{name}.json"))
+        summary = read(WORK / "fits.json")
+        self.assertEqual([row["name"] for row in summary["scans"]], ["a", "b", "broken"])
+        self.assertEqual(summary["counts"]["error"], 1)
+        self.assertIn("error", summary["scans"][2])
+        self.assertFalse((WORK / "fits/broken.ply").exists())
+
+    def test_two_scans_of_one_name_are_refused_before_anything_is_written(self):
+        (WORK / "other").mkdir()
+        shutil.copy(WORK / "demo/scan/scan_grin.ply", WORK / "other/scan_grin.ply")
+        status, _, err = run("batch", "--model", WORK / "face.safetensors", "--scans", WORK / "demo/scan/scan_grin.ply",
+                             WORK / "other/scan_grin.ply", "--out-dir", WORK / "clash")
+        self.assertEqual(status, 1)
+        self.assertIn("scan_grin", err)
+        self.assertFalse((WORK / "clash").exists())
+
 class Models(unittest.TestCase):
     def test_coefficients_of_a_sample_make_the_sample_again(self):
         must("model", "sample", WORK / "face.safetensors", "--seed", "4", "--out-dir", WORK / "samples")
