@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <Eigen/Geometry>
+#include <utility>
 
 #include "base/dense.hpp"
 #include "base/error.hpp"
@@ -27,6 +28,60 @@ struct Item {
     std::uint32_t id;
 };
 
+struct Before {
+    int axis;
+    bool operator()(const Item& x, const Item& y) const {
+        return x.centroid[axis] < y.centroid[axis] ||
+               (x.centroid[axis] == y.centroid[axis] && x.id < y.id);
+    }
+};
+
+// std::nth_element without a branch on the comparisons, which no processor can foresee: each round
+// swaps every item with the one at a border and moves the border past those before the pivot.
+void select_nth(Item* begin, Item* nth, Item* end, int axis) {
+    constexpr std::ptrdiff_t kFew = 8;  // the library's is as fast then
+    constexpr int kMostRounds = 64;     // far more than good pivots need; then the library's, which
+                                        // is never quadratic
+    const Before before{axis};
+    const auto middle_of_three = [&](const Item* a, const Item* b, const Item* c) {
+        if (before(*b, *a)) std::swap(a, b);
+        if (before(*c, *b)) std::swap(b, c);
+        return before(*b, *a) ? a : b;
+    };
+    for (int round = 0; end - begin > kFew && round < kMostRounds; ++round) {
+        const std::ptrdiff_t eighth = (end - begin) / 8;
+        const Item* const ninths[3] = {
+            middle_of_three(begin, begin + eighth, begin + 2 * eighth),
+            middle_of_three(begin + 3 * eighth, begin + 4 * eighth, begin + 5 * eighth),
+            middle_of_three(begin + 6 * eighth, begin + 7 * eighth, end - 1)};
+        const Item pivot = *middle_of_three(ninths[0], ninths[1], ninths[2]);
+        const float value = pivot.centroid[axis];
+        Item* border = begin;
+        for (Item* item = begin; item != end; ++item) {
+            const Item here = *item;
+            const float x = here.centroid[axis];
+            *item = *border;
+            *border = here;
+            border += static_cast<int>(x < value) |
+                      (static_cast<int>(x == value) & static_cast<int>(here.id < pivot.id));
+        }
+        // [begin, border) lies before the pivot, which is in [border, end).
+        if (nth < border) {
+            end = border;
+            continue;
+        }
+        if (border == begin) {  // nothing lies before the pivot: it is the first
+            Item* first = begin;
+            while (first->id != pivot.id) ++first;
+            std::swap(*begin, *first);
+            if (nth == begin++) return;
+            continue;
+        }
+        begin = border;
+    }
+    std::nth_element(begin, nth, end, before);
+}
+
 // Partitions items[begin, end) so that the first `half` have the smaller centroids along the widest
 // axis. Ties fall by index, so that the order does not depend on the library's partition.
 void split(Item* begin, Item* end, std::size_t half) {
@@ -41,10 +96,7 @@ void split(Item* begin, Item* end, std::size_t half) {
     int axis = 0;
     for (int k = 1; k < 3; ++k)
         if (upper[k] - lower[k] > upper[axis] - lower[axis]) axis = k;
-    std::nth_element(begin, begin + half, end, [axis](const Item& x, const Item& y) {
-        return x.centroid[axis] < y.centroid[axis] ||
-               (x.centroid[axis] == y.centroid[axis] && x.id < y.id);
-    });
+    select_nth(begin, begin + half, end, axis);
 }
 
 // Where the coordinates of the tree's floats begin. The middle of the box, as a rule; but where a
