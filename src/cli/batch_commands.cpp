@@ -128,7 +128,7 @@ class Chunk {
     std::vector<Job*> jobs_;
 };
 
-nlohmann::json summary_of(const std::vector<Job>& jobs) {
+nlohmann::json batch_summary(const std::vector<Job>& jobs) {
     nlohmann::json scans = nlohmann::json::array();
     std::map<std::string, int> counts{{"good", 0}, {"doubtful", 0}, {"failed", 0}, {"error", 0}};
     for (const Job& job : jobs) {
@@ -168,7 +168,7 @@ void run_batch(const BatchArguments& arguments) {
         }
         std::fflush(stdout);
     }
-    const nlohmann::json summary = summary_of(jobs);
+    const nlohmann::json summary = batch_summary(jobs);
     write_report(arguments.common, summary);
     const int errors = summary["counts"]["error"];
     const int failed = arguments.fit.accept_failed ? 0 : summary["counts"]["failed"].get<int>();
