@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <Eigen/Cholesky>
 
 #include "base/error.hpp"
 #include "base/json.hpp"
@@ -70,7 +71,7 @@ std::shared_ptr<const FitPlan> make_plan(const ExpressionModel& model) {
     const Vector variances = model.expression_deviations.array().square();
     plan->map = plan_part(model, gram, model.map_noise_mm2,
                           precision_given_person(p, variances.cwiseInverse().asDiagonal(), {}),
-                          Vector::Zero(q), 0.0);
+                          model.identity_precision(), Vector::Zero(q), 0.0);
     for (const ExpressionComponent& component : model.components) {
         if (component.mean.size() != q || component.covariance.rows() != q ||
             component.covariance.cols() != q || !component.mean.allFinite() ||
@@ -97,6 +98,18 @@ std::string topology_hash(Index num_vertices, const TrianglesRef& triangles) {
         hash.update(reinterpret_cast<const char*>(corners), sizeof corners);
     }
     return hash.hex_digest().substr(0, 16);
+}
+
+Matrix ExpressionModel::identity_precision() const {
+    if (identity_covariance.size() == 0)
+        return identity_deviations.array().square().inverse().matrix().asDiagonal();
+    const Eigen::LLT<Matrix> factor(identity_covariance);
+    if (factor.info() != Eigen::Success)
+        fail(Status::corrupt,
+             "the covariance of the expression model's identity is not positive definite");
+    const Matrix inverse =
+        factor.solve(Matrix::Identity(identity_covariance.rows(), identity_covariance.cols()));
+    return 0.5 * (inverse + inverse.transpose());
 }
 
 void finish_expression_model(ExpressionModel& model) {
@@ -128,6 +141,13 @@ void finish_expression_model(ExpressionModel& model) {
         fail(Status::corrupt, "the expression model has %zu intensities; 1 to %zu are allowed",
              model.intensities.size(), kMostIntensities);
     check_positive(model.identity_deviations, "identity deviation");
+    if (model.smooth_modes < 0 || model.smooth_modes >= p)
+        fail(Status::corrupt, "%lld of the expression model's %lld identity modes are smooth ones",
+             static_cast<long long>(model.smooth_modes), static_cast<long long>(p));
+    if (model.identity_covariance.size() != 0 &&
+        (model.identity_covariance.rows() != p || model.identity_covariance.cols() != p ||
+         !model.identity_covariance.allFinite()))
+        fail(Status::corrupt, "the covariance of the expression model's identity is damaged");
     check_positive(model.expression_deviations, "expression deviation");
     if (!(model.expected_residual_mm >= 0.0) || !std::isfinite(model.expected_residual_mm))
         fail(Status::corrupt, "the expression model's expected residual is damaged");
@@ -183,6 +203,11 @@ std::shared_ptr<const ExpressionModel> read_expression_model(const SafetensorsFi
     if (file.has("identity_spill")) {
         model->spill.identity = matrix("identity_spill", q, p);
         model->spill.expression = matrix("expression_spill", p, q);
+    }
+    if (file.has("identity_covariance")) {
+        model->identity_covariance = matrix("identity_covariance", p, p);
+        const TensorView& view = read_tensor(file, "smooth_modes", DType::i32, {1});
+        model->smooth_modes = *static_cast<const std::int32_t*>(view.data);
     }
     if (file.has("expected_residual_mm"))
         model->expected_residual_mm = vector("expected_residual_mm", 1)[0];
@@ -259,6 +284,12 @@ void save_expression_model(const std::string& path, const ExpressionModel& model
     if (!model.spill.empty()) {
         tensors.push_back({"identity_spill", DType::f64, {p, q}, model.spill.identity.data()});
         tensors.push_back({"expression_spill", DType::f64, {q, p}, model.spill.expression.data()});
+    }
+    const auto smooth_modes = static_cast<std::int32_t>(model.smooth_modes);
+    if (model.identity_covariance.size() != 0) {
+        tensors.push_back(
+            {"identity_covariance", DType::f64, {p, p}, model.identity_covariance.data()});
+        tensors.push_back({"smooth_modes", DType::i32, {1}, &smooth_modes});
     }
     tensors.push_back({"expression_intensities",
                        DType::f64,

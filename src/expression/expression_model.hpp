@@ -5,7 +5,9 @@
 // and b from a mixture: a face shows one of a few expressions, so every trained expression has a
 // mean and a covariance of its own, next to "neutral" (b near zero) and "any" (the broad Gaussian
 // over all expressions, for what was never trained). A wide mouth smiles widely: the mean of an
-// expression moves linearly with the identity. The thesis keeps P and Q only.
+// expression moves linearly with the identity. The last columns of P may be smooth directions that
+// the training people did not show (smooth_identity.hpp); a is then N(0, C) with a full C. The
+// thesis keeps the people's P and Q only.
 #pragma once
 
 #include <map>
@@ -43,11 +45,14 @@ struct FitPlan;
 
 /// Immutable once trained or loaded; shared freely between threads. Millimetres.
 struct ExpressionModel {
-    Points mean;                   ///< #V x 3, the mean neutral face
-    Triangles triangles;           ///< #F x 3
-    ModesView identity_modes;      ///< P, 3#V x p, orthonormal columns
-    ModesView expression_modes;    ///< Q, 3#V x q, orthonormal columns
-    Vector identity_deviations;    ///< p, standard deviation of the coordinate of each mode, mm
+    Points mean;                 ///< #V x 3, the mean neutral face
+    Triangles triangles;         ///< #F x 3
+    ModesView identity_modes;    ///< P, 3#V x p, orthonormal columns
+    ModesView expression_modes;  ///< Q, 3#V x q, orthonormal columns
+    Vector identity_deviations;  ///< p, standard deviation of the coordinate of each mode, mm
+    /// p x p, of all coordinates together, mm^2; empty: the squared deviations, independent.
+    Matrix identity_covariance;
+    Index smooth_modes = 0;        ///< the last identity modes: no person's, the prior's alone
     Vector expression_deviations;  ///< q, root mean square of the coordinate of each mode, mm
     Matrix gram;                   ///< (p+q) x (p+q), [P Q]' [P Q]
     ModeSpill spill;               ///< empty for joint PCA
@@ -71,6 +76,10 @@ struct ExpressionModel {
     Index num_vertices() const { return mean.rows(); }
     Index num_identity_modes() const { return identity_modes.cols; }
     Index num_expression_modes() const { return expression_modes.cols; }
+    /// Identity modes that the training people showed; the thesis' fits know these alone.
+    Index num_people_modes() const { return identity_modes.cols - smooth_modes; }
+    /// p x p, the inverse of the coordinates' covariance. Throws Status::corrupt. O(p^3).
+    Matrix identity_precision() const;
 };
 
 /// Checks shapes, ranges and definiteness, and computes `plan`. Every maker of a model calls it

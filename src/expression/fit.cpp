@@ -24,9 +24,8 @@ void check_options(const FitOptions& options) {
 
 /// Algorithm 2 in coordinates: P'P = I and Q'Q = I hold for full weights; with weights each half
 /// step solves its own small normal system.
-FitResult alternate(const ExpressionModel& model, const Matrix& gram, const Vector& projection,
+FitResult alternate(const Matrix& gram, const Vector& projection, Index p, Index q, double rows,
                     const FitOptions& options) {
-    const Index p = model.num_identity_modes(), q = model.num_expression_modes();
     const Eigen::LDLT<Matrix> identity(Matrix(gram.topLeftCorner(p, p)));
     const Eigen::LDLT<Matrix> expression(Matrix(gram.bottomRightCorner(q, q)));
     if (identity.info() != Eigen::Success || expression.info() != Eigen::Success)
@@ -36,7 +35,6 @@ FitResult alternate(const ExpressionModel& model, const Matrix& gram, const Vect
     result.identity = Vector::Zero(p);
     result.expression = Vector::Zero(q);
     result.converged = false;
-    const double rows = static_cast<double>(3 * model.num_vertices());
     for (result.sweeps = 0; result.sweeps < options.max_sweeps && !result.converged;) {
         result.identity = identity.solve(projection.head(p) - cross * result.expression);
         const Vector next =
@@ -168,7 +166,8 @@ Matrix precision_given_person(Index identity_modes, const Matrix& expression_pre
 }
 
 FitPlan::Part plan_part(const ExpressionModel& model, const Matrix& gram, double noise,
-                        const Matrix& precision, const Vector& expression_mean, double log_weight) {
+                        const Matrix& precision, const Matrix& identity_precision,
+                        const Vector& expression_mean, double log_weight) {
     const Index p = model.num_identity_modes(), q = model.num_expression_modes();
     FitPlan::Part part;
     part.prior_precision = precision;
@@ -176,8 +175,7 @@ FitPlan::Part plan_part(const ExpressionModel& model, const Matrix& gram, double
     part.mean.tail(q) = expression_mean;
     part.gram_mean = gram * part.mean;
     Matrix system = gram + noise * precision;
-    system.diagonal().head(p) +=
-        noise * model.identity_deviations.array().square().inverse().matrix();
+    system.topLeftCorner(p, p) += noise * identity_precision;
     const Eigen::LLT<Matrix> factor(system);
     const Eigen::LLT<Matrix> prior(Matrix(precision.bottomRightCorner(q, q)));
     if (factor.info() != Eigen::Success || prior.info() != Eigen::Success)
@@ -195,6 +193,7 @@ FitPlan::Part plan_part(const ExpressionModel& model, const Matrix& gram, double
 std::vector<FitPlan::Part> component_parts(const ExpressionModel& model, const Matrix& gram,
                                            double noise) {
     const Matrix total = Vector(model.expression_deviations.array().square()).asDiagonal();
+    const Matrix identity = model.identity_precision();
     std::vector<FitPlan::Part> parts;
     for (std::size_t k = 0; k < model.components.size(); ++k) {
         const ExpressionComponent& component = model.components[k];
@@ -216,7 +215,7 @@ std::vector<FitPlan::Part> component_parts(const ExpressionModel& model, const M
                                       precision_given_person(model.num_identity_modes(),
                                                              0.5 * (inverse + inverse.transpose()),
                                                              t * component.follows),
-                                      t * component.mean, std::log(weight)));
+                                      identity, t * component.mean, std::log(weight)));
             parts.back().weight = weight;
             parts.back().component = k;
             parts.back().intensity = t;
@@ -228,8 +227,7 @@ std::vector<FitPlan::Part> component_parts(const ExpressionModel& model, const M
 namespace {
 
 /// The joint least squares without a prior.
-FitResult solve_exactly(const ExpressionModel& model, const Matrix& gram,
-                        const Vector& projection) {
+FitResult solve_exactly(const Matrix& gram, const Vector& projection, Index p, Index q) {
     const Eigen::LDLT<Matrix> factor(gram);
     const Vector pivots = factor.vectorD();
     if (factor.info() != Eigen::Success ||
@@ -239,8 +237,8 @@ FitResult solve_exactly(const ExpressionModel& model, const Matrix& gram,
              "'mixture'");
     const Vector coordinates = factor.solve(projection);
     FitResult result;
-    result.identity = coordinates.head(model.num_identity_modes());
-    result.expression = coordinates.tail(model.num_expression_modes());
+    result.identity = coordinates.head(p);
+    result.expression = coordinates.tail(q);
     return result;
 }
 
@@ -288,6 +286,25 @@ FitResult blend(const ExpressionModel& model, const std::vector<PartSolution>& s
     return result;
 }
 
+/// The thesis' own fits: of the training people's modes alone; smooth ones without their prior
+/// would take every expression.
+FitResult fit_without_prior(const ExpressionModel& model, const Matrix& all_gram,
+                            const Vector& all_projection, const FitOptions& options) {
+    const Index p = model.num_identity_modes(), q = model.num_expression_modes();
+    const Index people = model.num_people_modes();
+    Matrix gram(people + q, people + q);
+    gram << all_gram.topLeftCorner(people, people), all_gram.topRightCorner(people, q),
+        all_gram.bottomLeftCorner(q, people), all_gram.bottomRightCorner(q, q);
+    Vector projection(people + q);
+    projection << all_projection.head(people), all_projection.tail(q);
+    const double rows = static_cast<double>(3 * model.num_vertices());
+    FitResult result = options.method == FitMethod::alternating
+                           ? alternate(gram, projection, people, q, rows, options)
+                           : solve_exactly(gram, projection, people, q);
+    result.identity.conservativeResizeLike(Vector::Zero(p));
+    return result;
+}
+
 }  // namespace
 
 FitResult fit_face(const ExpressionModel& model, const FaceEvidence& evidence,
@@ -296,10 +313,8 @@ FitResult fit_face(const ExpressionModel& model, const FaceEvidence& evidence,
     const Index p = model.num_identity_modes(), q = model.num_expression_modes();
     const bool own_gram = evidence.gram.size() == 0;
     const Matrix& plain_gram = own_gram ? model.gram : evidence.gram;
-    if (options.method == FitMethod::alternating)
-        return alternate(model, plain_gram, evidence.projection, options);
-    if (options.method == FitMethod::exact)
-        return solve_exactly(model, plain_gram, evidence.projection);
+    if (options.method == FitMethod::alternating || options.method == FitMethod::exact)
+        return fit_without_prior(model, plain_gram, evidence.projection, options);
 
     const bool mixture = options.method == FitMethod::mixture && !model.components.empty();
     const double model_noise = mixture ? model.mixture_noise_mm2 : model.map_noise_mm2;
@@ -308,6 +323,7 @@ FitResult fit_face(const ExpressionModel& model, const FaceEvidence& evidence,
     const Matrix gram = planned ? Matrix() : model.spill.pull_gram(plain_gram);
     const Vector projection = model.spill.pull_vector(evidence.projection);
     const std::size_t count = mixture ? model.plan->components.size() : 1;
+    const Matrix identity = planned ? Matrix() : model.identity_precision();
     std::vector<PartSolution> solutions(count);
     std::vector<Matrix> made(planned ? 0 : count);
     std::vector<const Matrix*> solves(count);
@@ -318,7 +334,7 @@ FitResult fit_face(const ExpressionModel& model, const FaceEvidence& evidence,
             solutions[k] = solve_part(known, projection, noise);
             continue;
         }
-        FitPlan::Part part = plan_part(model, gram, noise, known.prior_precision,
+        FitPlan::Part part = plan_part(model, gram, noise, known.prior_precision, identity,
                                        known.mean.tail(q), std::log(known.weight));
         solutions[k] = solve_part(part, projection, noise);
         made[k] = std::move(part.solve);

@@ -99,10 +99,12 @@ Vector mode_coordinates(const ExpressionModel& model, FitMethod method, const Ve
 Matrix precision_given_person(Index identity_modes, const Matrix& expression_precision,
                               const Matrix& follows);
 
-/// Part for a Gaussian prior with the given precision (precision_given_person) and mean on top of
-/// `gram`, which is that of the joint coordinates (ModeSpill::pull_gram).
+/// Part for a Gaussian prior with the given precision (precision_given_person), that of the
+/// identity (ExpressionModel::identity_precision) and mean on top of `gram`, which is that of the
+/// joint coordinates (ModeSpill::pull_gram).
 FitPlan::Part plan_part(const ExpressionModel& model, const Matrix& gram, double noise_mm2,
-                        const Matrix& precision, const Vector& expression_mean, double log_weight);
+                        const Matrix& precision, const Matrix& identity_precision,
+                        const Vector& expression_mean, double log_weight);
 
 /// All parts of the model's mixture: every component at its intensities.
 std::vector<FitPlan::Part> component_parts(const ExpressionModel& model, const Matrix& gram,

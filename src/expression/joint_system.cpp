@@ -74,7 +74,7 @@ void JointSystem::gather(const std::vector<Points>& placed) {
     const Index size = p_ + count_ * q_;
     data_ = Matrix::Zero(size, size);
     right_ = Vector::Zero(size);
-    data_.diagonal().head(p_) = model_.identity_deviations.array().square().inverse();
+    data_.topLeftCorner(p_, p_) = model_.identity_precision();
     if (uniform())
         gather_uniform(placed);
     else

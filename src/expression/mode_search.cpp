@@ -5,7 +5,6 @@
 
 #include "base/error.hpp"
 #include "expression/joint_pca.hpp"
-#include "expression/noise.hpp"
 
 namespace mien {
 namespace {
@@ -27,7 +26,7 @@ void check_search(const ModeSearch& search) {
 
 /// The error of held-out people with so many modes. `tried` takes the counts that there really are.
 double held_out_error(const Context& context, const ColumnSource& source, const JointSpan& span,
-                      const PriorOptions& prior, TriedModes& tried) {
+                      const PriorOptions& prior, const SmoothPrior& smooth, TriedModes& tried) {
     JointPcaOptions options;
     options.identity_modes = tried.identity;
     options.expression_modes = tried.expression;
@@ -36,7 +35,7 @@ double held_out_error(const Context& context, const ColumnSource& source, const 
     tried.expression = subspaces.expression.cols();
     return estimate_noise(context, source, span, subspaces.expression,
                           subspaces.expression.transpose() * span.displacements, tried.identity,
-                          prior)
+                          prior, smooth)
         .mixture_error_mm;
 }
 
@@ -44,7 +43,7 @@ double held_out_error(const Context& context, const ColumnSource& source, const 
 
 ModeChoice choose_modes(const Context& context, const ColumnSource& source, const JointSpan& span,
                         Index identity_modes, Index expression_modes, const PriorOptions& prior,
-                        const ModeSearch& search) {
+                        const SmoothPrior& smooth, const ModeSearch& search) {
     check_search(search);
     if (identity_modes < 0 || expression_modes < 0)
         fail(Status::invalid_argument, "a number of modes is negative; give 0 for a search");
@@ -67,7 +66,7 @@ ModeChoice choose_modes(const Context& context, const ColumnSource& source, cons
     for (const Index count : search.counts) {
         context.check_cancelled();
         TriedModes pair = pair_of(count);
-        pair.held_out_mm = held_out_error(context, source, span, prior, pair);
+        pair.held_out_mm = held_out_error(context, source, span, prior, smooth, pair);
         const auto same = [&](const TriedModes& other) {
             return other.identity == pair.identity && other.expression == pair.expression;
         };

@@ -15,6 +15,7 @@
 #include "base/context.hpp"
 #include "expression/column_source.hpp"
 #include "expression/joint_span.hpp"
+#include "expression/noise.hpp"
 #include "expression/prior.hpp"
 
 namespace mien {
@@ -41,6 +42,6 @@ struct ModeChoice {
 /// One joint PCA and one estimate_noise() per pair.
 ModeChoice choose_modes(const Context& context, const ColumnSource& source, const JointSpan& span,
                         Index identity_modes, Index expression_modes, const PriorOptions& prior,
-                        const ModeSearch& search);
+                        const SmoothPrior& smooth, const ModeSearch& search);
 
 }  // namespace mien

@@ -21,14 +21,20 @@ constexpr Index kMaxFoldSubjects = 20;  ///< tested subjects per fold
 constexpr Index kMaxFoldFaces = 420;    ///< tested faces per fold
 
 /// A model without vertices: only what fit_face needs.
-ExpressionModel coordinate_model(const Matrix& identity, const Vector& identity_deviations,
-                                 const Matrix& expression, const Vector& expression_deviations) {
+ExpressionModel coordinate_model(const Matrix& people, const Vector& people_deviations,
+                                 const SmoothIdentity& smooth, const Matrix& expression,
+                                 const Vector& expression_deviations, Matrix& modes) {
+    Matrix identity(people.rows(), people.cols() + smooth.modes.cols());
+    identity << people, smooth.modes;
     ExpressionModel model;
     model.identity_modes = {nullptr, 0, identity.cols()};
     model.expression_modes = {nullptr, 0, expression.cols()};
-    model.identity_deviations = identity_deviations;
+    model.identity_covariance = smooth.covariance;
+    model.smooth_modes = smooth.modes.cols();
+    model.identity_deviations = smooth.covariance.diagonal().cwiseSqrt();
+    model.identity_deviations.head(people.cols()) = people_deviations;
     model.expression_deviations = expression_deviations;
-    Matrix modes(identity.rows(), identity.cols() + expression.cols());
+    modes.resize(identity.rows(), identity.cols() + expression.cols());
     modes << identity, expression;
     model.gram = modes.transpose() * modes;
     return model;
@@ -41,7 +47,7 @@ void plan_with_noise(ExpressionModel& model, double noise) {
     const Vector variances = model.expression_deviations.array().square();
     plan->map = plan_part(model, model.gram, noise,
                           precision_given_person(p, variances.cwiseInverse().asDiagonal(), {}),
-                          Vector::Zero(q), 0.0);
+                          model.identity_precision(), Vector::Zero(q), 0.0);
     plan->components = component_parts(model, model.gram, noise);
     model.plan = std::move(plan);
 }
@@ -63,13 +69,14 @@ class FoldMaker {
   public:
     FoldMaker(const ColumnSource& source, const JointSpan& span, const Matrix& expression_basis,
               const Matrix& expression_coordinates, Index identity_modes,
-              const PriorOptions& options)
+              const PriorOptions& options, const SmoothPrior& smooth)
         : source_(source),
           span_(span),
           basis_(expression_basis),
           coordinates_(expression_coordinates),
           identity_modes_(identity_modes),
-          options_(options) {
+          options_(options),
+          smooth_(smooth) {
         for (Index k = 0; k < source.num_neutrals(); ++k)
             column_of_[source.neutral_subject[static_cast<std::size_t>(k)]] = k;
         for (const auto& [subject, column] : column_of_) {
@@ -148,13 +155,15 @@ class FoldMaker {
         const Vector deviations = (coordinates.rowwise().squaredNorm() / static_cast<double>(count))
                                       .cwiseSqrt()
                                       .cwiseMax(1e-6);
-        fold.model = coordinate_model(identity, values.cwiseSqrt(), basis_, deviations);
+        SmoothIdentity smooth =
+            smooth_identity(identity, identity, values.cwiseSqrt(), smooth_.gram,
+                            smooth_.variance_mm2, smooth_.most_modes);
+        fold.model =
+            coordinate_model(identity, values.cwiseSqrt(), smooth, basis_, deviations, fold.modes);
         fold.model.components =
             expression_components(coordinates, expression, source_.expression_names, deviations,
                                   identities, values.cwiseSqrt(), options_);
         fold.model.intensities = intensities_for(expression, options_);
-        fold.modes.resize(identity.rows(), identity.cols() + basis_.cols());
-        fold.modes << identity, basis_;
         return center;
     }
 
@@ -164,6 +173,7 @@ class FoldMaker {
     const Matrix& coordinates_;
     Index identity_modes_;
     const PriorOptions& options_;
+    const SmoothPrior& smooth_;
     std::map<int, Index> column_of_, rank_of_;
     std::vector<Index> faces_by_subject_;
 };
@@ -200,12 +210,12 @@ Scores score(const Fold& fold, double noise, const Matrix& expression_basis, dou
 NoiseLevels estimate_noise(const Context& context, const ColumnSource& source,
                            const JointSpan& span, const Matrix& expression_basis,
                            const Matrix& expression_coordinates, Index identity_modes,
-                           const PriorOptions& options) {
+                           const PriorOptions& options, const SmoothPrior& smooth) {
     const Index m = source.num_neutrals(), s = source.num_displacements();
     NoiseLevels levels;
     if (m < kMostFolds) return levels;  // too few to leave some out: the defaults
     const FoldMaker maker(source, span, expression_basis, expression_coordinates, identity_modes,
-                          options);
+                          options, smooth);
     std::vector<Fold> folds(static_cast<std::size_t>(kMostFolds));
     for (Index f = 0; f < kMostFolds; ++f)
         if (!maker.make(f, kMostFolds, folds[static_cast<std::size_t>(f)])) return levels;
@@ -243,6 +253,38 @@ NoiseLevels estimate_noise(const Context& context, const ColumnSource& source,
         }
     }
     return levels;
+}
+
+SmoothChoice choose_smooth_prior(const Context& context, const ColumnSource& source,
+                                 const JointSpan& span, const Matrix& expression_basis,
+                                 const Matrix& expression_coordinates, Index identity_modes,
+                                 const PriorOptions& options, const SmoothIdentityOptions& smooth,
+                                 const Matrix& gram) {
+    SmoothChoice choice;
+    if (source.num_neutrals() < kMostFolds || smooth.modes < 1) {
+        choice.noise = estimate_noise(context, source, span, expression_basis,
+                                      expression_coordinates, identity_modes, options, {});
+        return choice;
+    }
+    std::vector<SmoothChoice> all;
+    double least = std::numeric_limits<double>::infinity();
+    for (const double variance : smooth.variances_mm2) {
+        context.check_cancelled();
+        SmoothChoice own;
+        own.prior = {gram, variance, smooth.modes};
+        own.noise = estimate_noise(context, source, span, expression_basis, expression_coordinates,
+                                   identity_modes, options, own.prior);
+        least = std::min(least, own.noise.mixture_error_mm);
+        choice.tried.push_back({variance, own.noise.mixture_error_mm});
+        all.push_back(std::move(own));
+    }
+    for (SmoothChoice& own : all)
+        if (own.noise.mixture_error_mm * (1.0 - smooth.least_gain) <= least) {
+            choice.prior = std::move(own.prior);
+            choice.noise = own.noise;
+            break;
+        }
+    return choice;
 }
 
 }  // namespace mien

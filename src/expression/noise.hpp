@@ -10,6 +10,7 @@
 #include "expression/column_source.hpp"
 #include "expression/joint_span.hpp"
 #include "expression/prior.hpp"
+#include "expression/smooth_identity.hpp"
 
 namespace mien {
 
@@ -20,12 +21,40 @@ struct NoiseLevels {
     double residual_mm = 0.0;
 };
 
+/// A smooth prior that was tried on people left out.
+struct TriedSmoothness {
+    double variance_mm2 = 0;  ///< v
+    double held_out_mm = 0;   ///< root mean square error of the mixture, mean over the faces
+};
+
+/// The smooth prior of the identity, in coordinates of the span.
+struct SmoothPrior {
+    Matrix gram;              ///< r x r, smooth_gram(); empty: none
+    double variance_mm2 = 0;  ///< v
+    Index most_modes = 0;
+};
+
 /// Cross-validation of both noise levels; deterministic. `expression_basis` (r x q, with the spill)
 /// and `expression_coordinates` (q x s) make the displacements; `identity_modes` is the number of
 /// modes. Fewer than 4 subjects: the defaults.
 NoiseLevels estimate_noise(const Context& context, const ColumnSource& source,
                            const JointSpan& span, const Matrix& expression_basis,
                            const Matrix& expression_coordinates, Index identity_modes,
-                           const PriorOptions& options);
+                           const PriorOptions& options, const SmoothPrior& smooth);
+
+struct SmoothChoice {
+    SmoothPrior prior;
+    NoiseLevels noise;                   ///< with it
+    std::vector<TriedSmoothness> tried;  ///< empty where nobody can be left out
+};
+
+/// The smallest of the variances whose error of people left out is within `least_gain` of the
+/// least; none where fewer than 4 people leave nobody to be left out. Arguments as
+/// estimate_noise().
+SmoothChoice choose_smooth_prior(const Context& context, const ColumnSource& source,
+                                 const JointSpan& span, const Matrix& expression_basis,
+                                 const Matrix& expression_coordinates, Index identity_modes,
+                                 const PriorOptions& options, const SmoothIdentityOptions& smooth,
+                                 const Matrix& gram);
 
 }  // namespace mien

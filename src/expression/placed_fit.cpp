@@ -252,8 +252,7 @@ class FaceFitter {
         const Matrix& gram = evidence.gram.size() != 0 ? evidence.gram : model_.gram;
         Matrix system = model_.spill.pull_gram(gram);
         const Index p = model_.num_identity_modes(), q = model_.num_expression_modes();
-        system.diagonal().head(p) +=
-            noise * model_.identity_deviations.array().square().inverse().matrix();
+        system.topLeftCorner(p, p) += noise * model_.identity_precision();
         system.diagonal().tail(q) +=
             noise * model_.expression_deviations.array().square().inverse().matrix();
         const Eigen::LDLT<Matrix> factor(system);

@@ -170,6 +170,15 @@ std::string training_json(const ExpressionModel& model, const TrainReport& repor
         .field("span_cut", report.span_cut)
         .field("cross_validated_map_error_mm", report.noise.map_error_mm)
         .field("cross_validated_mixture_error_mm", report.noise.mixture_error_mm);
+    json.field("smooth_modes", report.smooth_modes)
+        .field("smooth_variance_mm2", report.smooth_variance_mm2);
+    json.key("tried_smoothness").begin_array();
+    for (const TriedSmoothness& tried : report.tried_smoothness)
+        json.begin_object()
+            .field("variance_mm2", tried.variance_mm2)
+            .field("held_out_mm", tried.held_out_mm)
+            .end_object();
+    json.end_array();
     json.key("tried_modes").begin_array();
     for (const TriedModes& pair : report.tried_modes)
         json.begin_object()

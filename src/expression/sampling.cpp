@@ -44,8 +44,11 @@ SampledCoordinates sample_coordinates(const ExpressionModel& model, std::uint64_
                                       const std::string& expression) {
     Normal normal(seed);
     SampledCoordinates sample;
-    sample.identity =
-        model.identity_deviations.cwiseProduct(normal.vector(model.num_identity_modes()));
+    // Smooth modes say what a fit must reckon with, not what people look like.
+    const Index people = model.num_people_modes();
+    sample.identity = Vector::Zero(model.num_identity_modes());
+    sample.identity.head(people) =
+        model.identity_deviations.head(people).cwiseProduct(normal.vector(people));
     sample.expression = Vector::Zero(model.num_expression_modes());
     if (expression.empty()) return sample;
     for (const ExpressionComponent& component : model.components)

@@ -103,6 +103,12 @@ ModesView view_of(const Eigen::MatrixXf& modes) {
     return ModesView{modes.data(), modes.rows(), modes.cols()};
 }
 
+void put_gram(const Matrix& identity, const Matrix& expression, ExpressionModel& model) {
+    Matrix modes(identity.rows(), identity.cols() + expression.cols());
+    modes << identity, expression;
+    model.gram = modes.transpose() * modes;
+}
+
 /// Mean, modes and their products, and the sides of `subspaces` with them.
 void put_modes(const Context& context, const ColumnSource& source, const JointSpan& span,
                JointPca& subspaces, ExpressionModel& model) {
@@ -114,10 +120,7 @@ void put_modes(const Context& context, const ColumnSource& source, const JointSp
     model.identity_modes = view_of(storage->identity);
     model.expression_modes = view_of(storage->expression);
     model.storage = storage;
-    const Index p = subspaces.identity.cols(), q = subspaces.expression.cols();
-    Matrix modes(subspaces.identity.rows(), p + q);
-    modes << subspaces.identity, subspaces.expression;
-    model.gram = modes.transpose() * modes;
+    put_gram(subspaces.identity, subspaces.expression, model);
 }
 
 /// The training faces in coordinates of the modes.
@@ -147,22 +150,62 @@ void put_priors(const ColumnSource& source, const JointSpan& span, const JointPc
     model.stable_vertices = source.stable_vertices;
 }
 
-/// The noise of both fits: given, or by leaving people out.
-NoiseLevels put_noise(const Context& context, const ColumnSource& source, const JointSpan& span,
-                      const JointPca& subspaces, const Coordinates& coordinates,
-                      const TrainOptions& options, ExpressionModel& model) {
-    NoiseLevels noise;
+/// The noise of both fits, given or by leaving people out, and with it what people may differ by
+/// beyond the training's.
+SmoothChoice put_noise(const Context& context, const ColumnSource& source, const JointSpan& span,
+                       const Matrix& smooth, const JointPca& subspaces,
+                       const Coordinates& coordinates, const TrainOptions& options,
+                       ExpressionModel& model) {
+    SmoothChoice choice;
     if (options.map_noise_mm2 <= 0.0 || options.mixture_noise_mm2 <= 0.0) {
         Matrix basis = subspaces.expression;
         if (!model.spill.empty()) basis += subspaces.identity * model.spill.expression;
-        noise = estimate_noise(context, source, span, basis, coordinates.expression,
-                               options.subspaces.identity_modes, options.prior);
+        choice = choose_smooth_prior(context, source, span, basis, coordinates.expression,
+                                     options.subspaces.identity_modes, options.prior,
+                                     options.smooth, smooth);
     }
+    const NoiseLevels& noise = choice.noise;
     model.map_noise_mm2 = options.map_noise_mm2 > 0.0 ? options.map_noise_mm2 : noise.map_mm2;
     model.mixture_noise_mm2 =
         options.mixture_noise_mm2 > 0.0 ? options.mixture_noise_mm2 : noise.mixture_mm2;
     model.expected_residual_mm = noise.residual_mm;
-    return noise;
+    return choice;
+}
+
+/// Appends the smooth directions to the identity modes, whose coordinates get a full covariance.
+void put_smooth_modes(const Context& context, const JointSpan& span, const JointPca& subspaces,
+                      const SmoothPrior& prior, ExpressionModel& model) {
+    const Index p = subspaces.identity.cols(), q = subspaces.expression.cols();
+    Matrix moved = subspaces.identity;
+    if (!model.spill.empty()) moved += subspaces.expression * model.spill.identity;
+    SmoothIdentity smooth = smooth_identity(subspaces.identity, moved, model.identity_deviations,
+                                            prior.gram, prior.variance_mm2, prior.most_modes);
+    const Index extra = smooth.modes.cols();
+    if (extra == 0) return;
+    Vector sides = Vector::Ones(p + extra);
+    Matrix sided = smooth.modes;
+    const Eigen::MatrixXf lifted = lift_modes(context, span, sided);
+    for (Index k = 0; k < extra; ++k)
+        if (sided.col(k).dot(smooth.modes.col(k)) < 0.0) sides[p + k] = -1.0;
+    model.identity_covariance = sides.asDiagonal() * smooth.covariance * sides.asDiagonal();
+    model.smooth_modes = extra;
+    const Vector deviations = model.identity_covariance.diagonal().tail(extra).cwiseSqrt();
+    model.identity_deviations.conservativeResize(p + extra);
+    model.identity_deviations.tail(extra) = deviations;
+
+    auto storage = std::make_shared<ModesStorage>();
+    storage->identity.resize(lifted.rows(), p + extra);
+    storage->identity << model.identity_modes.map(), lifted;
+    storage->expression = model.expression_modes.map();
+    model.identity_modes = view_of(storage->identity);
+    model.expression_modes = view_of(storage->expression);
+    model.storage = storage;
+    Matrix identity(sided.rows(), p + extra);
+    identity << subspaces.identity, sided;
+    put_gram(identity, subspaces.expression, model);
+    if (model.spill.empty()) return;  // smooth directions spill nowhere
+    model.spill.identity.conservativeResizeLike(Matrix::Zero(q, p + extra));
+    model.spill.expression.conservativeResizeLike(Matrix::Zero(p + extra, q));
 }
 
 std::map<std::string, std::string> training_info(const ColumnSource& source,
@@ -190,10 +233,12 @@ std::shared_ptr<const ExpressionModel> train_expression_model(const ColumnSource
     const JointSpan span = span_for(context, source, given);
     TrainOptions options = given;
     JointPcaOptions& counts = options.subspaces;
+    const bool smoothed = options.smooth.modes > 0;
+    const Matrix smooth = smoothed ? smooth_gram(context, span, options.smooth) : Matrix();
     ModeChoice choice;
     if (counts.identity_modes == 0 || counts.expression_modes == 0) {
         choice = choose_modes(context, source, span, counts.identity_modes, counts.expression_modes,
-                              options.prior, options.search);
+                              options.prior, {}, options.search);
         counts.identity_modes = choice.identity_modes;
         counts.expression_modes = choice.expression_modes;
     }
@@ -203,15 +248,21 @@ std::shared_ptr<const ExpressionModel> train_expression_model(const ColumnSource
     const Coordinates coordinates{subspaces.identity.transpose() * span.neutrals,
                                   subspaces.expression.transpose() * span.displacements};
     put_priors(source, span, subspaces, coordinates, options, *model);
-    const NoiseLevels noise =
-        put_noise(context, source, span, subspaces, coordinates, options, *model);
+    SmoothChoice noise =
+        put_noise(context, source, span, smooth, subspaces, coordinates, options, *model);
+    put_smooth_modes(context, span, subspaces, noise.prior, *model);
     model->info =
         training_info(source, subspaces, options.subspaces.method == TrainMethod::quasi_orthogonal);
     finish_expression_model(*model);
     if (report != nullptr)
-        fill_report(source, span, subspaces, coordinates.identity, coordinates.expression, noise,
-                    *report);
-    if (report != nullptr) report->tried_modes = std::move(choice.tried);
+        fill_report(source, span, subspaces, coordinates.identity, coordinates.expression,
+                    noise.noise, *report);
+    if (report != nullptr) {
+        report->tried_modes = std::move(choice.tried);
+        report->tried_smoothness = std::move(noise.tried);
+        report->smooth_modes = model->smooth_modes;
+        report->smooth_variance_mm2 = model->smooth_modes > 0 ? noise.prior.variance_mm2 : 0.0;
+    }
     context.progress(Stage::training, 1.0);
     return model;
 }

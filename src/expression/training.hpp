@@ -12,6 +12,7 @@
 #include "expression/mode_search.hpp"
 #include "expression/noise.hpp"
 #include "expression/prior.hpp"
+#include "expression/smooth_identity.hpp"
 #include "mesh/dataset.hpp"
 
 namespace mien {
@@ -25,6 +26,7 @@ struct TrainOptions {
     ModeSearch search;
     JointSpanOptions span;  ///< ranks of 0: max(3 modes, modes + 60)
     PriorOptions prior;
+    SmoothIdentityOptions smooth;  ///< what people may differ by beyond the training's
     /// Posture: faces are aligned rigidly on these vertices (forehead, nose bridge), in training
     /// and by every fit of the model; empty: faces are taken as they lie.
     std::vector<std::uint32_t> stable_vertices;
@@ -46,7 +48,10 @@ struct TrainReport {
     double identity_explained = 0, expression_explained = 0;  ///< shares of the training variance
     double span_cut = 0;  ///< share of the variance that the joint span does not hold
     NoiseLevels noise;
-    std::vector<TriedModes> tried_modes;  ///< empty unless a number of modes was searched
+    Index smooth_modes = 0;                         ///< identity modes of the smooth prior
+    double smooth_variance_mm2 = 0;                 ///< of that prior
+    std::vector<TriedSmoothness> tried_smoothness;  ///< empty where nobody could be left out
+    std::vector<TriedModes> tried_modes;            ///< empty unless a number of modes was searched
 };
 
 /// Deterministic; the same bits for any thread count. O(passes #V s r). Throws
