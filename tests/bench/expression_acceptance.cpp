@@ -223,8 +223,8 @@ void run(const Context& context, const Options& given, const char* train_path,
                     static_cast<long long>(pair.identity), static_cast<long long>(pair.expression),
                     pair.held_out_mm);
     for (const TriedSmoothness& tried : report.tried_smoothness)
-        std::printf("tried a smooth prior of %g mm2: people left out %.4f mm\n",
-                    tried.variance_mm2, tried.held_out_mm);
+        std::printf("tried a smooth prior of %g mm2: people left out %.4f mm\n", tried.variance_mm2,
+                    tried.held_out_mm);
     std::printf("noise %g mm2, %lld smooth modes\n", model->mixture_noise_mm2,
                 static_cast<long long>(model->smooth_modes));
     std::printf("trained on %lld people: %lld + %lld modes\n",

@@ -32,7 +32,7 @@ TEST(Training, FindsOrthonormalModesThatExplainTheStudy) {
               1e-5);
     EXPECT_GT(report.identity_explained, 0.98);
     EXPECT_GT(report.expression_explained, 0.99);
-    for (Index k = 1; k < model->identity_deviations.size(); ++k)
+    for (Index k = 1; k < model->num_people_modes(); ++k)
         EXPECT_LE(model->identity_deviations[k], model->identity_deviations[k - 1] * (1 + 1e-9));
     EXPECT_EQ(model->components.front().name, "neutral");
     EXPECT_EQ(model->components.back().name, "any");
@@ -156,7 +156,7 @@ TEST(Training, TakesTheFewestModesThatServePeopleLeftOut) {
     for (const TriedModes& pair : report.tried_modes) {
         EXPECT_GT(pair.held_out_mm, 0);
         least = std::min(least, pair.held_out_mm);
-        if (pair.identity == model->num_identity_modes() &&
+        if (pair.identity == model->num_people_modes() &&
             pair.expression == model->num_expression_modes())
             chosen = &pair;
     }
@@ -173,7 +173,7 @@ TEST(Training, TakesTheFewestModesThatServePeopleLeftOut) {
     threads.pool = &pool;
     TrainReport again;
     const auto fixed = train_expression_model(dataset, options, threads, &again);
-    EXPECT_EQ(fixed->num_identity_modes(), 10);
+    EXPECT_EQ(fixed->num_people_modes(), 10);
     TrainReport alone;
     (void)train_expression_model(dataset, options, Context(), &alone);
     ASSERT_EQ(again.tried_modes.size(), alone.tried_modes.size());
