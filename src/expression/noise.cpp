@@ -197,6 +197,9 @@ Scores score(const Fold& fold, double noise, const Matrix& expression_basis, dou
         scores.mixture += error(mixture);
         Vector coordinates(mixture.identity.size() + mixture.expression.size());
         coordinates << mixture.identity, mixture.expression;
+        // A person left out lies in the span of all training people, which smooth modes fill; a new
+        // one does not. What the people's own modes leave is what to expect of a new person.
+        coordinates.segment(model.num_people_modes(), model.smooth_modes).setZero();
         scores.residuals.push_back((fold.faces.col(k) - fold.modes * coordinates).squaredNorm() /
                                    vertices);
     }

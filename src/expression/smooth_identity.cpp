@@ -13,7 +13,10 @@ namespace mien {
 namespace {
 
 constexpr double kLeastShare = 1e-6;  ///< of the strongest direction: weaker ones are rounding
-constexpr Index kBlock = 2048;        ///< vertices at a time
+/// Of the strongest direction across the people's modes. Weaker ones hardly matter to a fit, and
+/// are turned by rounding: merged shards would have others than a single run.
+constexpr double kLeastModeShare = 1e-3;
+constexpr Index kBlock = 2048;  ///< vertices at a time
 
 void check(const SmoothIdentityOptions& options) {
     const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
@@ -94,7 +97,7 @@ SmoothIdentity smooth_identity(const Matrix& identity, const Matrix& moved,
     Vector values;
     Matrix modes = leading_eigenvectors(0.5 * (across + across.transpose()), most, &values);
     Index kept = 0;
-    while (kept < modes.cols() && values[kept] > kLeastShare * values[0]) ++kept;
+    while (kept < modes.cols() && values[kept] > kLeastModeShare * values[0]) ++kept;
     if (kept == 0) return smooth;
     smooth.modes = modes.leftCols(kept);
 

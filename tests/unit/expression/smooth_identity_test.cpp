@@ -73,6 +73,7 @@ TEST(SmoothIdentity, TheThesisFitsDoNotKnowIt) {
     const Study study;
     const auto data = study.dataset(0, 8, "thesis_fits");
     TrainOptions options = few_modes();
+    options.subspaces.expression_modes = 4;  // as many as there are; others would be rounding
     const auto smooth = train_expression_model(data, options, Context());
     ASSERT_GT(smooth->smooth_modes, 0);
     options.smooth.modes = 0;
