@@ -112,6 +112,27 @@ Matrix ExpressionModel::identity_precision() const {
     return 0.5 * (inverse + inverse.transpose());
 }
 
+void put_people(ExpressionModel& model, const PeopleLevels& levels) {
+    const Index people = model.num_people_modes(), q = model.num_expression_modes();
+    auto part = std::make_shared<ExpressionModel>(model);
+    part->identity_modes.cols = people;
+    part->identity_deviations.conservativeResize(people);
+    part->identity_covariance.resize(0, 0);
+    part->smooth_modes = 0;
+    part->gram.resize(people + q, people + q);
+    part->gram << model.gram.topLeftCorner(people, people), model.gram.topRightCorner(people, q),
+        model.gram.bottomLeftCorner(q, people), model.gram.bottomRightCorner(q, q);
+    if (!model.spill.empty()) {
+        part->spill.identity = model.spill.identity.leftCols(people);
+        part->spill.expression = model.spill.expression.topRows(people);
+    }
+    part->map_noise_mm2 = levels.map_noise_mm2;
+    part->mixture_noise_mm2 = levels.mixture_noise_mm2;
+    part->expected_residual_mm = levels.residual_mm;
+    finish_expression_model(*part);
+    model.people = std::move(part);
+}
+
 void finish_expression_model(ExpressionModel& model) {
     const Index n = model.num_vertices(), p = model.num_identity_modes();
     const Index q = model.num_expression_modes();
@@ -204,10 +225,12 @@ std::shared_ptr<const ExpressionModel> read_expression_model(const SafetensorsFi
         model->spill.identity = matrix("identity_spill", q, p);
         model->spill.expression = matrix("expression_spill", p, q);
     }
+    Vector people;
     if (file.has("identity_covariance")) {
         model->identity_covariance = matrix("identity_covariance", p, p);
         const TensorView& view = read_tensor(file, "smooth_modes", DType::i32, {1});
         model->smooth_modes = *static_cast<const std::int32_t*>(view.data);
+        people = vector("people_levels", 3);
     }
     if (file.has("expected_residual_mm"))
         model->expected_residual_mm = vector("expected_residual_mm", 1)[0];
@@ -229,6 +252,7 @@ std::shared_ptr<const ExpressionModel> read_expression_model(const SafetensorsFi
     if (!file.warning().empty()) model->info[kFileWarning] = file.warning();
     model->storage = file.storage();
     finish_expression_model(*model);
+    if (model->smooth_modes > 0) put_people(*model, {people[0], people[1], people[2]});
     return model;
 }
 
@@ -286,10 +310,14 @@ void save_expression_model(const std::string& path, const ExpressionModel& model
         tensors.push_back({"expression_spill", DType::f64, {q, p}, model.spill.expression.data()});
     }
     const auto smooth_modes = static_cast<std::int32_t>(model.smooth_modes);
+    const ExpressionModel& people = people_of(model);
+    const Vector3 people_levels(people.map_noise_mm2, people.mixture_noise_mm2,
+                                people.expected_residual_mm);
     if (model.identity_covariance.size() != 0) {
         tensors.push_back(
             {"identity_covariance", DType::f64, {p, p}, model.identity_covariance.data()});
         tensors.push_back({"smooth_modes", DType::i32, {1}, &smooth_modes});
+        tensors.push_back({"people_levels", DType::f64, {3}, people_levels.data()});
     }
     tensors.push_back({"expression_intensities",
                        DType::f64,

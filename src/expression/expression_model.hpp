@@ -52,7 +52,11 @@ struct ExpressionModel {
     Vector identity_deviations;  ///< p, standard deviation of the coordinate of each mode, mm
     /// p x p, of all coordinates together, mm^2; empty: the squared deviations, independent.
     Matrix identity_covariance;
-    Index smooth_modes = 0;        ///< the last identity modes: no person's, the prior's alone
+    Index smooth_modes = 0;  ///< the last identity modes: no person's, the prior's alone
+    /// The model without smooth modes, with its own noise: of the thesis' fits, and of several
+    /// faces of one person, who tell by themselves what is hers. Null where there are no smooth
+    /// modes.
+    std::shared_ptr<const ExpressionModel> people;
     Vector expression_deviations;  ///< q, root mean square of the coordinate of each mode, mm
     Matrix gram;                   ///< (p+q) x (p+q), [P Q]' [P Q]
     ModeSpill spill;               ///< empty for joint PCA
@@ -81,6 +85,19 @@ struct ExpressionModel {
     /// p x p, the inverse of the coordinates' covariance. Throws Status::corrupt. O(p^3).
     Matrix identity_precision() const;
 };
+
+/// What a fit of several faces works with: `people`, or the model itself.
+inline const ExpressionModel& people_of(const ExpressionModel& model) {
+    return model.people != nullptr ? *model.people : model;
+}
+
+/// What a model without its smooth modes is measured with.
+struct PeopleLevels {
+    double map_noise_mm2 = 0, mixture_noise_mm2 = 0;
+    double residual_mm = 0;  ///< expected_residual_mm
+};
+/// Makes `people` of a whole model with smooth modes.
+void put_people(ExpressionModel& model, const PeopleLevels& levels);
 
 /// Checks shapes, ranges and definiteness, and computes `plan`. Every maker of a model calls it
 /// last. Throws Status::corrupt naming the part that is wrong.

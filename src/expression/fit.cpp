@@ -24,8 +24,9 @@ void check_options(const FitOptions& options) {
 
 /// Algorithm 2 in coordinates: P'P = I and Q'Q = I hold for full weights; with weights each half
 /// step solves its own small normal system.
-FitResult alternate(const Matrix& gram, const Vector& projection, Index p, Index q, double rows,
+FitResult alternate(const ExpressionModel& model, const Matrix& gram, const Vector& projection,
                     const FitOptions& options) {
+    const Index p = model.num_identity_modes(), q = model.num_expression_modes();
     const Eigen::LDLT<Matrix> identity(Matrix(gram.topLeftCorner(p, p)));
     const Eigen::LDLT<Matrix> expression(Matrix(gram.bottomRightCorner(q, q)));
     if (identity.info() != Eigen::Success || expression.info() != Eigen::Success)
@@ -35,6 +36,7 @@ FitResult alternate(const Matrix& gram, const Vector& projection, Index p, Index
     result.identity = Vector::Zero(p);
     result.expression = Vector::Zero(q);
     result.converged = false;
+    const double rows = static_cast<double>(3 * model.num_vertices());
     for (result.sweeps = 0; result.sweeps < options.max_sweeps && !result.converged;) {
         result.identity = identity.solve(projection.head(p) - cross * result.expression);
         const Vector next =
@@ -227,7 +229,8 @@ std::vector<FitPlan::Part> component_parts(const ExpressionModel& model, const M
 namespace {
 
 /// The joint least squares without a prior.
-FitResult solve_exactly(const Matrix& gram, const Vector& projection, Index p, Index q) {
+FitResult solve_exactly(const ExpressionModel& model, const Matrix& gram,
+                        const Vector& projection) {
     const Eigen::LDLT<Matrix> factor(gram);
     const Vector pivots = factor.vectorD();
     if (factor.info() != Eigen::Success ||
@@ -237,8 +240,8 @@ FitResult solve_exactly(const Matrix& gram, const Vector& projection, Index p, I
              "'mixture'");
     const Vector coordinates = factor.solve(projection);
     FitResult result;
-    result.identity = coordinates.head(p);
-    result.expression = coordinates.tail(q);
+    result.identity = coordinates.head(model.num_identity_modes());
+    result.expression = coordinates.tail(model.num_expression_modes());
     return result;
 }
 
@@ -286,25 +289,6 @@ FitResult blend(const ExpressionModel& model, const std::vector<PartSolution>& s
     return result;
 }
 
-/// The thesis' own fits: of the training people's modes alone; smooth ones without their prior
-/// would take every expression.
-FitResult fit_without_prior(const ExpressionModel& model, const Matrix& all_gram,
-                            const Vector& all_projection, const FitOptions& options) {
-    const Index p = model.num_identity_modes(), q = model.num_expression_modes();
-    const Index people = model.num_people_modes();
-    Matrix gram(people + q, people + q);
-    gram << all_gram.topLeftCorner(people, people), all_gram.topRightCorner(people, q),
-        all_gram.bottomLeftCorner(q, people), all_gram.bottomRightCorner(q, q);
-    Vector projection(people + q);
-    projection << all_projection.head(people), all_projection.tail(q);
-    const double rows = static_cast<double>(3 * model.num_vertices());
-    FitResult result = options.method == FitMethod::alternating
-                           ? alternate(gram, projection, people, q, rows, options)
-                           : solve_exactly(gram, projection, people, q);
-    result.identity.conservativeResizeLike(Vector::Zero(p));
-    return result;
-}
-
 }  // namespace
 
 FitResult fit_face(const ExpressionModel& model, const FaceEvidence& evidence,
@@ -313,8 +297,10 @@ FitResult fit_face(const ExpressionModel& model, const FaceEvidence& evidence,
     const Index p = model.num_identity_modes(), q = model.num_expression_modes();
     const bool own_gram = evidence.gram.size() == 0;
     const Matrix& plain_gram = own_gram ? model.gram : evidence.gram;
-    if (options.method == FitMethod::alternating || options.method == FitMethod::exact)
-        return fit_without_prior(model, plain_gram, evidence.projection, options);
+    if (options.method == FitMethod::alternating)
+        return alternate(model, plain_gram, evidence.projection, options);
+    if (options.method == FitMethod::exact)
+        return solve_exactly(model, plain_gram, evidence.projection);
 
     const bool mixture = options.method == FitMethod::mixture && !model.components.empty();
     const double model_noise = mixture ? model.mixture_noise_mm2 : model.map_noise_mm2;

@@ -73,6 +73,16 @@ void take_alone(const ExpressionModel& model, JointFit& result) {
     if (fit.covariance.size() != 0) result.covariance = fit.covariance.bottomRightCorner(q, q);
 }
 
+/// Coordinates along the smooth modes that a fit did not know.
+void pad_identity(Index identity_modes, JointFit& result) {
+    const Vector none = Vector::Zero(identity_modes);
+    result.identity.conservativeResizeLike(none);
+    for (PlacedFit& alone : result.alone) {
+        alone.fit.identity.conservativeResizeLike(none);
+        alone.fit.covariance.resize(0, 0);  // of other coordinates
+    }
+}
+
 }  // namespace
 
 Vector witness_weights(const Vector& weights, Index num_vertices,
@@ -89,6 +99,13 @@ JointFit fit_faces(const Context& context, const ExpressionModel& model,
     const bool along_normal = options.noise == JointNoise::along_normal;
     const bool joint = along_normal || faces.size() > 1;
     check_options(model, options, joint);
+    const bool by_prior =
+        options.fit.method == FitMethod::mixture || options.fit.method == FitMethod::map;
+    if (model.people != nullptr && (joint || !by_prior)) {
+        JointFit result = fit_faces(context, *model.people, faces, options);
+        pad_identity(model.num_identity_modes(), result);
+        return result;
+    }
     for (const JointFace& face : faces) {
         check_face(model, face.vertices, face.weights);
         if (along_normal) check_face(model, face.vertices, Vector());  // surfaces need every vertex

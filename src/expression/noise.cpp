@@ -264,19 +264,20 @@ SmoothChoice choose_smooth_prior(const Context& context, const ColumnSource& sou
                                  const PriorOptions& options, const SmoothIdentityOptions& smooth,
                                  const Matrix& gram) {
     SmoothChoice choice;
-    if (source.num_neutrals() < kMostFolds || smooth.modes < 1) {
-        choice.noise = estimate_noise(context, source, span, expression_basis,
-                                      expression_coordinates, identity_modes, options, {});
-        return choice;
-    }
+    choice.people = choice.noise =
+        estimate_noise(context, source, span, expression_basis, expression_coordinates,
+                       identity_modes, options, {});
+    if (source.num_neutrals() < kMostFolds || smooth.modes < 1) return choice;
     std::vector<SmoothChoice> all;
     double least = std::numeric_limits<double>::infinity();
     for (const double variance : smooth.variances_mm2) {
         context.check_cancelled();
         SmoothChoice own;
         own.prior = {gram, variance, smooth.modes};
-        own.noise = estimate_noise(context, source, span, expression_basis, expression_coordinates,
-                                   identity_modes, options, own.prior);
+        own.noise = variance > 0.0
+                        ? estimate_noise(context, source, span, expression_basis,
+                                         expression_coordinates, identity_modes, options, own.prior)
+                        : choice.people;
         least = std::min(least, own.noise.mixture_error_mm);
         choice.tried.push_back({variance, own.noise.mixture_error_mm});
         all.push_back(std::move(own));

@@ -45,6 +45,7 @@ NoiseLevels estimate_noise(const Context& context, const ColumnSource& source,
 struct SmoothChoice {
     SmoothPrior prior;
     NoiseLevels noise;                   ///< with it
+    NoiseLevels people;                  ///< without any
     std::vector<TriedSmoothness> tried;  ///< empty where nobody can be left out
 };
 

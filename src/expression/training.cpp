@@ -254,6 +254,12 @@ std::shared_ptr<const ExpressionModel> train_expression_model(const ColumnSource
     model->info =
         training_info(source, subspaces, options.subspaces.method == TrainMethod::quasi_orthogonal);
     finish_expression_model(*model);
+    if (model->smooth_modes > 0)
+        put_people(
+            *model,
+            {options.map_noise_mm2 > 0.0 ? options.map_noise_mm2 : noise.people.map_mm2,
+             options.mixture_noise_mm2 > 0.0 ? options.mixture_noise_mm2 : noise.people.mixture_mm2,
+             noise.people.residual_mm});
     if (report != nullptr)
         fill_report(source, span, subspaces, coordinates.identity, coordinates.expression,
                     noise.noise, *report);

@@ -124,7 +124,7 @@ VisitsResult neutralize_visits(const Context& context, const ExpressionModel& mo
 std::vector<std::string> visit_warnings(const ExpressionModel& model, const VisitsResult& result,
                                         std::size_t k) {
     std::vector<std::string> warnings;
-    const double expected = model.expected_residual_mm;
+    const double expected = people_of(model).expected_residual_mm;
     if (expected > 0.0 && result.residuals_mm[k] > kFarFactor * expected)
         warnings.push_back(
             "the face lies farther from the model than faces of new people do: it was fitted "
