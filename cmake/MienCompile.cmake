@@ -25,6 +25,8 @@ if(MIEN_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
 endif()
 
 add_library(mien_flags INTERFACE)
+# Eigen keeps the blocks of a product on the stack up to this size, two at a time; its 128 kB end a thread of 256 kB.
+target_compile_definitions(mien_flags INTERFACE EIGEN_STACK_ALLOCATION_LIMIT=65536)
 # The same bits from every compiler that fuses multiplications by default (abi/README.md).
 target_compile_options(mien_flags INTERFACE
     -Wall -Wextra -Wshadow -ffp-contract=off $<$<CXX_COMPILER_ID:GNU>:-Wno-psabi -Wno-maybe-uninitialized>
