@@ -9,7 +9,8 @@
 // in each axis alike, x and y vertices of the mean face; v is found by hold-out over the people
 // (noise.hpp), 0 included. K is approximated by Nystroem's method. The directions in which it is
 // strongest across P become further modes, and the coordinates along all of them get C's own
-// (full) covariance. The thesis' own fits (exact, alternating) do not know these modes.
+// (full) covariance. The thesis' own fits (exact, alternating) and fits of several faces of one
+// person do not know these modes (ExpressionModel::people).
 #pragma once
 
 #include <vector>
