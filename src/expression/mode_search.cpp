@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "expression/joint_pca.hpp"
+#include "expression/noise.hpp"
 
 namespace mien {
 namespace {
@@ -26,16 +27,17 @@ void check_search(const ModeSearch& search) {
 
 /// The error of held-out people with so many modes. `tried` takes the counts that there really are.
 double held_out_error(const Context& context, const ColumnSource& source, const JointSpan& span,
-                      const PriorOptions& prior, const SmoothPrior& smooth, TriedModes& tried) {
+                      const PriorOptions& prior, TriedModes& tried) {
     JointPcaOptions options;
     options.identity_modes = tried.identity;
     options.expression_modes = tried.expression;
     const JointPca subspaces = joint_pca(context, span.neutrals, span.displacements, options);
     tried.identity = subspaces.identity.cols();
     tried.expression = subspaces.expression.cols();
+    // Without the smooth prior, which is chosen for the modes that are found here.
     return estimate_noise(context, source, span, subspaces.expression,
                           subspaces.expression.transpose() * span.displacements, tried.identity,
-                          prior, smooth)
+                          prior, {})
         .mixture_error_mm;
 }
 
@@ -43,7 +45,7 @@ double held_out_error(const Context& context, const ColumnSource& source, const 
 
 ModeChoice choose_modes(const Context& context, const ColumnSource& source, const JointSpan& span,
                         Index identity_modes, Index expression_modes, const PriorOptions& prior,
-                        const SmoothPrior& smooth, const ModeSearch& search) {
+                        const ModeSearch& search) {
     check_search(search);
     if (identity_modes < 0 || expression_modes < 0)
         fail(Status::invalid_argument, "a number of modes is negative; give 0 for a search");
@@ -66,7 +68,7 @@ ModeChoice choose_modes(const Context& context, const ColumnSource& source, cons
     for (const Index count : search.counts) {
         context.check_cancelled();
         TriedModes pair = pair_of(count);
-        pair.held_out_mm = held_out_error(context, source, span, prior, smooth, pair);
+        pair.held_out_mm = held_out_error(context, source, span, prior, pair);
         const auto same = [&](const TriedModes& other) {
             return other.identity == pair.identity && other.expression == pair.expression;
         };

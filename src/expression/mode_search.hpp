@@ -15,7 +15,6 @@
 #include "base/context.hpp"
 #include "expression/column_source.hpp"
 #include "expression/joint_span.hpp"
-#include "expression/noise.hpp"
 #include "expression/prior.hpp"
 
 namespace mien {
@@ -42,6 +41,6 @@ struct ModeChoice {
 /// One joint PCA and one estimate_noise() per pair.
 ModeChoice choose_modes(const Context& context, const ColumnSource& source, const JointSpan& span,
                         Index identity_modes, Index expression_modes, const PriorOptions& prior,
-                        const SmoothPrior& smooth, const ModeSearch& search);
+                        const ModeSearch& search);
 
 }  // namespace mien

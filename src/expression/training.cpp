@@ -238,7 +238,7 @@ std::shared_ptr<const ExpressionModel> train_expression_model(const ColumnSource
     ModeChoice choice;
     if (counts.identity_modes == 0 || counts.expression_modes == 0) {
         choice = choose_modes(context, source, span, counts.identity_modes, counts.expression_modes,
-                              options.prior, {}, options.search);
+                              options.prior, options.search);
         counts.identity_modes = choice.identity_modes;
         counts.expression_modes = choice.expression_modes;
     }
