@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "face_checks.hpp"
 #include "measure_faces.hpp"
 #include "render.hpp"
 
@@ -57,6 +58,7 @@ void print_measurement(const nlohmann::json& one, bool with_norms) {
 void run_anthropometry(const FaceSettings& settings) {
     const Session session(settings.common.num_threads);
     const KnownFace face = read_known_face(session, settings.mesh, settings.fit_json, settings.sd);
+    warn_of_unit(session, {face.mesh, settings.mesh});
     const Landmarks landmarks = landmarks_of(session, settings);
     std::optional<Norms> norms;
     if (!settings.norms.empty()) norms.emplace(session, settings.norms);
@@ -128,6 +130,7 @@ void print_comparisons(const nlohmann::json& report) {
 void run_asymmetry(const FaceSettings& settings) {
     const Session session(settings.common.num_threads);
     const KnownFace face = read_known_face(session, settings.mesh, settings.fit_json, settings.sd);
+    warn_of_unit(session, {face.mesh, settings.mesh});
     const Model model(session, settings.model);
     const Landmarks landmarks = landmarks_of(session, settings);
     AsymmetrySettings options;

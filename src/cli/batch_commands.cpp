@@ -68,6 +68,18 @@ std::vector<Job> jobs_of(const std::vector<std::string>& scans) {
     return jobs;
 }
 
+/// Fits have their scans' names: a folder of PLY scans is no folder for the fits.
+void expect_scans_kept(const std::vector<Job>& jobs, const BatchArguments& arguments) {
+    for (const Job& job : jobs) {
+        const fs::path fit = fs::u8path(arguments.out_dir) / fs::u8path(job.name + ".ply");
+        std::error_code none;
+        if (fs::equivalent(fit, fs::u8path(job.scan), none))
+            throw std::runtime_error("--out-dir " + arguments.out_dir +
+                                     ": the fit would be written over its scan " + job.scan +
+                                     "; name another folder");
+    }
+}
+
 /// Scans of one call of the library, and which of its fits is whose.
 class Chunk {
   public:
@@ -154,6 +166,7 @@ void run_batch(const BatchArguments& arguments) {
     const Session session(arguments.common.num_threads);
     const Model model(session, arguments.model);
     fs::create_directories(fs::u8path(arguments.out_dir));
+    expect_scans_kept(jobs, arguments);
     const auto step = static_cast<std::size_t>(kScansPerThread * arguments.common.num_threads);
     for (std::size_t first = 0; first < jobs.size(); first += step) {
         const std::size_t end = std::min(jobs.size(), first + step);
@@ -186,10 +199,11 @@ void add_batch_commands(CLI::App& app) {
     command->add_option("--model", arguments->model, "deformation model")->required();
     command->add_option("--scans", arguments->scans, "mesh files, and folders of mesh files")
         ->required();
-    command->add_option("--landmarks-suffix", arguments->landmarks_suffix,
-                        "the landmarks of NAME.ply are in NAME and this, beside it; not given: "
-                        "without landmarks");
-    add_fit_options(*command, arguments->fit);
+    auto* landmarks =
+        command->add_option("--landmarks-suffix", arguments->landmarks_suffix,
+                            "the landmarks of NAME.ply are in NAME and this, beside it; not given: "
+                            "without landmarks");
+    add_fit_options(*command, arguments->fit, landmarks);
     command
         ->add_option("--out-dir", arguments->out_dir,
                      "folder for NAME.ply and NAME.json, as mien register writes them")

@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <stdexcept>
 
 #include "commands.hpp"
@@ -107,7 +108,18 @@ nlohmann::json read_json(const std::string& path) {
     std::ifstream in(path, std::ios::binary);
     if (!in) throw std::runtime_error(path + ": cannot be opened for reading");
     try {
-        return nlohmann::json::parse(in);
+        // Of two values under one name the parser would keep the last, without a word.
+        std::vector<std::set<std::string>> names;
+        return nlohmann::json::parse(
+            in, [&](int, nlohmann::json::parse_event_t event, nlohmann::json& value) {
+                if (event == nlohmann::json::parse_event_t::object_start) names.emplace_back();
+                if (event == nlohmann::json::parse_event_t::object_end) names.pop_back();
+                if (event == nlohmann::json::parse_event_t::key &&
+                    !names.back().insert(value.get<std::string>()).second)
+                    throw std::runtime_error(path + ": the name " + value.dump() +
+                                             " stands there twice in one object; keep one");
+                return true;
+            });
     } catch (const nlohmann::json::exception& failure) {
         throw std::runtime_error(path + ": is not JSON (" + failure.what() + ")");
     }

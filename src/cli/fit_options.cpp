@@ -48,8 +48,9 @@ void add_correspondence_options(CLI::App& command, FitArguments& arguments) {
 
 }  // namespace
 
-void add_fit_options(CLI::App& command, FitArguments& arguments) {
+void add_fit_options(CLI::App& command, FitArguments& arguments, CLI::Option* landmarks) {
     command.add_option("--landmark-sigma", arguments.landmark_sigma, "picking error in mm")
+        ->needs(landmarks)
         ->capture_default_str();
     command
         .add_option("--weights", arguments.weights,
@@ -63,14 +64,18 @@ void add_fit_options(CLI::App& command, FitArguments& arguments) {
                     "detect the scan's unit, name it (mm, cm, dm, m, km, in, ft, or the mm that "
                     "one unit is long), or refuse all but mm")
         ->capture_default_str();
-    command.add_flag("--mend-landmarks", arguments.mend_landmarks,
-                     "exchange landmarks back whose left and right are exchanged");
+    command
+        .add_flag("--mend-landmarks", arguments.mend_landmarks,
+                  "exchange landmarks back whose left and right are exchanged")
+        ->needs(landmarks);
     command.add_option("--start", arguments.start, "where the fit begins")
         ->check(CLI::IsMember({"automatic", "landmarks", "search"}))
         ->capture_default_str();
     command.add_option("--max-modes", arguments.max_modes, "scalar kernel modes used, -1: all")
+        ->check(CLI::Range(-1, 1000000))
         ->capture_default_str();
     command.add_option("--max-pca-modes", arguments.max_pca_modes, "trained modes used, -1: all")
+        ->check(CLI::Range(-1, 1000000))
         ->capture_default_str();
     command.add_option("--iterations", arguments.iterations, "rounds, 0: the library's choice")
         ->capture_default_str();
@@ -115,7 +120,14 @@ nlohmann::json add_landmarks(const Session& session, const Model& model, const s
     warn_of_unknown_landmarks(matched, path);
     for (const NamedPoint& point : picked_points(matched, path))
         options.landmarks.push_back({point.name, point.point});
-    return nlohmann::json::parse(matched.json());
+    const nlohmann::json report = nlohmann::json::parse(matched.json());
+    // A fit without landmarks is another fit than the one that was asked for.
+    if (options.landmarks.empty())
+        throw std::runtime_error(
+            path + ": none of its " + std::to_string(matched.size()) +
+            " landmarks was picked (no place, or one place repeated for all); pick them, or "
+            "leave --landmarks out");
+    return report;
 }
 
 nlohmann::json fit_report(const Registration& fit, bool per_vertex) {

@@ -17,7 +17,8 @@ struct FitArguments {
     bool accept_failed = false;
 };
 
-void add_fit_options(CLI::App& command, FitArguments& arguments);
+/// `landmarks`: the option that names landmark files; what is about landmarks needs it.
+void add_fit_options(CLI::App& command, FitArguments& arguments, CLI::Option* landmarks);
 /// Without landmarks.
 RegisterOptions register_options(const FitArguments& arguments);
 /// Reads the landmarks of a scan into `options`, those that the model knows; returns what became of

@@ -2,11 +2,17 @@
 // on stderr: what, where, what to do), 2 wrong usage.
 #include <algorithm>
 #include <cstdio>
+#include <iostream>
 #if defined(__GLIBC__)
 #include <malloc.h>
 #endif
+#if !defined(_WIN32)
+#include <fcntl.h>
+#include <unistd.h>
+#endif
 
 #include "commands.hpp"
+#include "guards.hpp"
 #include "run_record.hpp"
 #include "suggest.hpp"
 
@@ -38,7 +44,12 @@ int wrong_usage(const CLI::App& app, const CLI::ParseError& failure, int argc, c
     const bool by_options = dynamic_cast<const CLI::ExtrasError*>(&failure) != nullptr ||
                             dynamic_cast<const CLI::RequiredError*>(&failure) != nullptr;
     if (advice.empty() && by_options) advice = mien::cli::unknown_option(app, words);
-    if (advice.empty() || failure.get_exit_code() == 0) return app.exit(failure) == 0 ? 0 : 2;
+    if (advice.empty() || failure.get_exit_code() == 0) {
+        if (app.exit(failure) != 0) return 2;
+        std::cout.flush();  // the help
+        mien::cli::guard_output();
+        return std::cout ? 0 : 1;
+    }
     std::fprintf(stderr, "%s\n", advice.c_str());
     return 2;
 }
@@ -76,12 +87,19 @@ int run_command_line(int argc, char** argv) {
                 return run_command_line(static_cast<int>(pointers.size()), pointers.data());
             });
         group_by_job(app);
+        mien::cli::guard_numbers(app);
+        app.parse_complete_callback([&app] { mien::cli::guard_files(app); });
         const mien::cli::RunRecord record({argv + 1, argv + argc});
         app.parse(argc, argv);
         record.finish(app);
+        mien::cli::guard_output();
         return 0;
     } catch (const CLI::ParseError& failure) {
-        return wrong_usage(app, failure, argc, argv);
+        try {
+            return wrong_usage(app, failure, argc, argv);
+        } catch (const std::exception& unprinted) {
+            std::fprintf(stderr, "mien: %s\n", unprinted.what());
+        }
     } catch (const mien::Exception& failure) {
         std::fprintf(stderr, "mien: %s (%s)\n", failure.what(), mien_status_name(failure.status()));
     } catch (const std::exception& failure) {
@@ -101,9 +119,20 @@ void keep_freed_memory() {
 #endif
 }
 
+/// A file opened in place of a closed stream would take what is printed into its bytes: the places
+/// of the three streams are held by one that neither gives nor takes.
+void hold_closed_streams() {
+#if !defined(_WIN32)
+    for (int stream = 0; stream <= 2; ++stream)
+        if (fcntl(stream, F_GETFD) < 0 && open("/dev/null", stream == 0 ? O_WRONLY : O_RDONLY) < 0)
+            return;
+#endif
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+    hold_closed_streams();
     keep_freed_memory();
     return run_command_line(argc, argv);
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "face_checks.hpp"
 #include "measure_faces.hpp"
 
 namespace mien::cli {
@@ -60,6 +61,8 @@ void run_scan_volume(const MeasureSettings& settings) {
     const Session session(settings.common.num_threads);
     const Mesh before(session, settings.before);
     Mesh after(session, settings.after);
+    expect_outside_out(session, {before, settings.before});
+    warn_of_unit(session, {before, settings.before});
     const MeasureOptions options = options_of(settings);
     nlohmann::json alignment;
     if (!settings.stable.empty()) {
@@ -100,6 +103,9 @@ void run_volume(const MeasureSettings& settings) {
         read_known_face(session, settings.before, settings.before_json, settings.sd_before);
     KnownFace after =
         read_known_face(session, settings.after, settings.after_json, settings.sd_after);
+    expect_same_triangles({before.mesh, settings.before}, {after.mesh, settings.after});
+    expect_outside_out(session, {before.mesh, settings.before});
+    warn_of_unit(session, {before.mesh, settings.before});
     MeasureOptions options = options_of(settings);
     nlohmann::json alignment;
     if (!settings.stable.empty()) {
@@ -111,6 +117,9 @@ void run_volume(const MeasureSettings& settings) {
         options.alignment_centre = {{info.centre[0], info.centre[1], info.centre[2]}};
         alignment = {{"zone", settings.stable}, {"rms_mm", info.rms_mm}, {"matrix", info.matrix}};
     }
+    const std::vector<std::string> warnings =
+        warn_of_frames(session, {before.mesh, settings.before}, {after.mesh, settings.after},
+                       !settings.stable.empty());
     // An interval from a part of the errors would promise too much.
     const bool known = !before.sd_mm.empty() && !after.sd_mm.empty();
     if (known) {
@@ -126,6 +135,7 @@ void run_volume(const MeasureSettings& settings) {
     nlohmann::json report = nlohmann::json::parse(result.json());
     report["before"] = settings.before;
     report["after"] = settings.after;
+    report["warnings"] = warnings;
     if (!alignment.is_null()) report["alignment"] = alignment;
     write_report(settings.common, report);
 }
@@ -133,6 +143,14 @@ void run_volume(const MeasureSettings& settings) {
 void run_distance(const MeasureSettings& settings) {
     const Session session(settings.common.num_threads);
     const Mesh before(session, settings.before), after(session, settings.after);
+    const NamedFace first{before, settings.before}, second{after, settings.after};
+    expect_outside_out(session, first);
+    warn_of_unit(session, first);
+    std::vector<std::string> warnings;
+    if (!settings.surfaces) {
+        expect_same_triangles(first, second);
+        warnings = warn_of_frames(session, first, second, false);
+    }
     const MeasureOptions options = options_of(settings);
     const Measurement result = settings.surfaces
                                    ? Measurement::surface_distance(session, before, after, options)
@@ -153,6 +171,7 @@ void run_distance(const MeasureSettings& settings) {
     nlohmann::json report = nlohmann::json::parse(result.json());
     report["before"] = settings.before;
     report["after"] = settings.after;
+    report["warnings"] = warnings;
     write_report(settings.common, report);
 }
 
@@ -169,8 +188,11 @@ nlohmann::json areas_of(const Session& session, const MeasureSettings& settings,
 
 void run_area_change(const MeasureSettings& settings) {
     const Session session(settings.common.num_threads);
-    nlohmann::json before = areas_of(session, settings, Mesh(session, settings.before));
-    nlohmann::json after = areas_of(session, settings, Mesh(session, settings.after));
+    const Mesh first(session, settings.before), second(session, settings.after);
+    warn_of_unit(session, {first, settings.before});
+    warn_of_unit(session, {second, settings.after});
+    nlohmann::json before = areas_of(session, settings, first);
+    nlohmann::json after = areas_of(session, settings, second);
     std::printf("%-16s %12s %12s %10s   mm^2\n", "zone", "before", "after", "change");
     auto row = [](const std::string& name, double a, double b) {
         std::printf("%-16.16s %12.2f %12.2f %9.2f%%\n", name.c_str(), a, b, 100 * (b - a) / a);
@@ -189,7 +211,9 @@ void run_area(const MeasureSettings& settings) {
         throw CLI::ValidationError("measure area", "give one mesh, or --before and --after");
     if (settings.mesh.empty()) return run_area_change(settings);
     const Session session(settings.common.num_threads);
-    nlohmann::json report = areas_of(session, settings, Mesh(session, settings.mesh));
+    const Mesh mesh(session, settings.mesh);
+    warn_of_unit(session, {mesh, settings.mesh});
+    nlohmann::json report = areas_of(session, settings, mesh);
     for (const nlohmann::json& zone : report["zones"])
         std::printf("%-16.16s %12.2f mm^2\n", zone["name"].get<std::string>().c_str(),
                     zone["area_mm2"].get<double>());
@@ -203,6 +227,7 @@ void run_area(const MeasureSettings& settings) {
 void run_curvature(const MeasureSettings& settings) {
     const Session session(settings.common.num_threads);
     const Mesh mesh(session, settings.mesh);
+    warn_of_unit(session, {mesh, settings.mesh});
     const Measurement result = Measurement::curvature(session, mesh, settings.radius,
                                                       !settings.not_robust, options_of(settings));
     nlohmann::json report = nlohmann::json::parse(result.json());
@@ -247,7 +272,9 @@ void run_length(const MeasureSettings& settings) {
             pairs.back()[1] = found->second;
     }
     const Session session(settings.common.num_threads);
-    const PlaceLengths lengths = lengths_mm(session, Mesh(session, settings.mesh), pairs);
+    const Mesh mesh(session, settings.mesh);
+    warn_of_unit(session, {mesh, settings.mesh});
+    const PlaceLengths lengths = lengths_mm(session, mesh, pairs);
     nlohmann::json report{
         {"mesh", settings.mesh}, {"unit", "mm"}, {"lengths", nlohmann::json::array()}};
     std::printf("%-34s %10s %10s   mm\n", "", "straight", "geodesic");
@@ -305,18 +332,22 @@ void add_volume(CLI::App* measure, const SharedSettings& settings) {
         ->add_option("--limit-of-detection", settings->limit,
                      "mL; smaller changes are marked, 0: unknown")
         ->capture_default_str();
-    volume
-        ->add_option("--surfaces", settings->carry,
-                     "the faces are not in correspondence: carry the first onto the second by this")
-        ->check(CLI::IsMember({"closest", "normal", "direction"}));
+    auto* carry =
+        volume
+            ->add_option(
+                "--surfaces", settings->carry,
+                "the faces are not in correspondence: carry the first onto the second by this")
+            ->check(CLI::IsMember({"closest", "normal", "direction"}));
     volume->add_option("--direction", settings->direction, "with --surfaces direction: x y z")
-        ->expected(3);
+        ->expected(3)
+        ->needs(carry);
     volume->add_option("--stable", settings->stable,
                        "first align the second face on this zone of the first; without --surfaces "
                        "several may be named, separated by commas");
     volume
         ->add_option("--max-distance", settings->max_distance,
                      "with --surfaces: farther places count for nothing, mm; 0: 20")
+        ->needs(carry)
         ->capture_default_str();
     add_common_options(*volume, settings->common);
     volume->footer(
@@ -327,14 +358,18 @@ void add_volume(CLI::App* measure, const SharedSettings& settings) {
 void add_distance(CLI::App* measure, const SharedSettings& settings) {
     CLI::App* distance = measure->add_subcommand("distance", "distances between two faces");
     add_pair(*distance, *settings);
-    distance->add_flag("--surfaces", settings->surfaces,
-                       "the faces are not in correspondence: closest place on the second surface");
+    auto* surfaces = distance->add_flag(
+        "--surfaces", settings->surfaces,
+        "the faces are not in correspondence: closest place on the second surface");
     distance
         ->add_option("--max-distance", settings->max_distance,
                      "with --surfaces: ignore farther ones, mm")
+        ->needs(surfaces)
         ->capture_default_str();
-    distance->add_flag("--keep-borders", settings->keep_borders,
-                       "with --surfaces: count places beyond the second surface's border");
+    distance
+        ->add_flag("--keep-borders", settings->keep_borders,
+                   "with --surfaces: count places beyond the second surface's border")
+        ->needs(surfaces);
     distance->add_option("--field", settings->field_path,
                          "write the signed distance of each vertex");
     add_common_options(*distance, settings->common);

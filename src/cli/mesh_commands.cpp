@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "commands.hpp"
+#include "guards.hpp"
 
 namespace mien::cli {
 namespace {
@@ -90,9 +91,8 @@ double unit_in_mm(const std::string& name) {
         {"in", 25.4}, {"inch", 25.4}, {"ft", 304.8}, {"foot", 304.8}};
     for (const auto& [known, to_mm] : units)
         if (known == name) return to_mm;
-    char* end = nullptr;
-    const double to_mm = std::strtod(name.c_str(), &end);
-    if (end != name.c_str() && *end == '\0' && to_mm > 0 && std::isfinite(to_mm)) return to_mm;
+    const std::optional<double> to_mm = plain_number(name);
+    if (to_mm && *to_mm > 0) return *to_mm;
     throw std::runtime_error("--units " + name +
                              ": use mm, cm, dm, m, km, in, ft, or the mm that one unit is long");
 }

@@ -159,10 +159,12 @@ void add_build(CLI::App& parent) {
         .add_option("--control-points", model.num_control_points,
                     "0: as many as modes, at least 1000")
         ->capture_default_str();
-    command.add_flag("--mirror", model.mirror_symmetric, "modes even or odd about the plane x = 0");
+    auto* mirror = command.add_flag("--mirror", model.mirror_symmetric,
+                                    "modes even or odd about the plane x = 0");
     command
         .add_option("--mirror-correlation", model.mirror_correlation,
                     "how much both sides are expected to move alike, 0 to 1 (with --mirror)")
+        ->needs(mirror)
         ->capture_default_str();
     command.add_option("--scale-per-vertex", settings->scales,
                        "JSON list of one factor per vertex");
@@ -174,16 +176,21 @@ void add_build(CLI::App& parent) {
     command.add_option("--zones", settings->zones,
                        "zones of the template, JSON {\"zones\": {name: [vertex, ...]}}, perhaps "
                        "with further lists beside them, such as \"lips\"");
-    command.add_option("--pca", model.pca_dataset,
-                       "dataset of registered faces: adds their mean and modes");
+    auto* pca = command.add_option("--pca", model.pca_dataset,
+                                   "dataset of registered faces: adds their mean and modes");
     command.add_option("--pca-modes", model.pca_modes, "0: as many as --pca-variance asks for")
+        ->needs(pca)
         ->capture_default_str();
     command.add_option("--pca-variance", model.pca_variance, "share of the faces' variance kept")
+        ->needs(pca)
         ->capture_default_str();
-    command.add_flag("--pca-all,!--pca-neutral", model.pca_all_expressions,
-                     "all faces (the default), or the neutral ones alone");
-    command.add_flag("--pca-align", model.pca_align,
-                     "move each face rigidly onto the template first");
+    command
+        .add_flag("--pca-all,!--pca-neutral", model.pca_all_expressions,
+                  "all faces (the default), or the neutral ones alone")
+        ->needs(pca);
+    command
+        .add_flag("--pca-align", model.pca_align, "move each face rigidly onto the template first")
+        ->needs(pca);
     command.add_option("--check-picture", settings->check_picture,
                        "PNG of the template with the places that its check complains of");
     command.add_flag("--accept-faults", settings->accept_faults,

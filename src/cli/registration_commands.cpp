@@ -26,6 +26,8 @@ void run_register(const RegisterArguments& arguments) {
     const Model model(session, arguments.model);
     const Mesh scan(session, arguments.scan);
     RegisterOptions options = register_options(arguments.fit);
+    if (arguments.fit.start == "landmarks" && arguments.landmarks.empty())
+        throw CLI::ValidationError("--start landmarks", "needs --landmarks");
     nlohmann::json landmarks;
     if (!arguments.landmarks.empty())
         landmarks = add_landmarks(session, model, arguments.landmarks, options);
@@ -53,11 +55,11 @@ void add_registration_commands(CLI::App& app) {
     command->add_option("--model", arguments->model, "deformation model")->required();
     command->add_option("--scan", arguments->scan, "mesh file: PLY, OBJ, STL, OFF, GLB, VTP or XYZ")
         ->required();
-    command->add_option(
+    auto* landmarks = command->add_option(
         "--landmarks", arguments->landmarks,
         "places on the scan: JSON {\"points\": {name: [x, y, z]}}, .mrk.json, .fcsv, .pp, "
         ".pts, .ljson, .csv");
-    add_fit_options(*command, arguments->fit);
+    add_fit_options(*command, arguments->fit, landmarks);
     command->add_option("--out", arguments->out, "fitted template")->required();
     command->add_option("--record", arguments->record,
                         "keep the fit with its errors as a safetensors file, which report and "

@@ -89,6 +89,7 @@ Image beside_one_another(const Session& session, const RenderCommand& o, const M
 }
 
 void run(const RenderCommand& o) {
+    if (o.low >= o.high) throw CLI::ValidationError("--min", "must be below --max");
     const Session session(o.common.num_threads);
     const Mesh given(session, o.mesh);
     MeshArrays mesh = arrays_of(given);
@@ -171,12 +172,14 @@ void add_render_commands(CLI::App& app) {
     command->add_option("--out", options->out, "PNG file to write")->required();
     auto* scalar = command->add_option("--scalar", options->scalar,
                                        "one number per vertex (text, CSV or JSON): heat map");
+    auto* compare = command
+                        ->add_option("--compare", options->compare,
+                                     "mesh of the same topology: heat map of the distance, mm")
+                        ->excludes(scalar);
     command
-        ->add_option("--compare", options->compare,
-                     "mesh of the same topology: heat map of the distance, mm")
-        ->excludes(scalar);
-    command->add_flag("--signed", options->is_signed,
-                      "with --compare: positive outwards, diverging colours");
+        ->add_flag("--signed", options->is_signed,
+                   "with --compare: positive outwards, diverging colours")
+        ->needs(compare);
     command->add_flag("--diverging", options->diverging,
                       "blue - white - red instead of dark to bright");
     command->add_option("--min", options->low, "value at the lower end of the colours");

@@ -221,6 +221,32 @@ void run_field(const Session& session, const TransferArguments& arguments, const
         {{"field", arguments.field}, {"out", arguments.out}, {"values", summary_json(summary)}});
 }
 
+/// Nothing that lies near the other surface is a mistake of files or frames; lists that became
+/// empty are told.
+void expect_arrivals(const nlohmann::json& result, const TransferArguments& arguments) {
+    std::size_t arrived = 0;
+    std::string lost;
+    for (const auto& [kind, lists] : result.items()) {
+        if (kind == "distances_mm" || kind == "lost" || !lists.is_object()) continue;
+        for (const auto& [name, list] : lists.items()) {
+            const bool no_place = list.is_array() && !list.empty() && list[0].is_number() &&
+                                  std::isnan(list[0].get<double>());
+            const bool empty = list.empty() || no_place;
+            if (empty && lost.find("'" + name + "'") == std::string::npos)
+                lost += (lost.empty() ? "'" : ", '") + name + "'";
+            arrived += empty ? 0 : 1;
+        }
+    }
+    if (arrived == 0)
+        throw std::runtime_error(
+            arguments.scan + ": nothing of " + arguments.what +
+            " lies near enough to the other surface: is " + arguments.fitted +
+            " the fit of this scan, in its frame, and does --max-distance fit?");
+    if (!lost.empty())
+        std::fprintf(stderr, "mien: warning: %s: too far from the other surface, so empty: %s\n",
+                     arguments.scan.c_str(), lost.c_str());
+}
+
 void run_transfer(const TransferArguments& arguments) {
     const Session session(arguments.common.num_threads);
     if (!arguments.to.empty() || !arguments.correspondence.empty()) {
@@ -250,6 +276,7 @@ void run_transfer(const TransferArguments& arguments) {
                           arguments.max_distance));
     else
         result = transfer_file(session, arguments, fitted, scan);
+    expect_arrivals(result, arguments);
     write_json(arguments.out, result);
     write_report(arguments.common, {{"what", arguments.what}, {"out", arguments.out}});
 }

@@ -1,0 +1,34 @@
+// What measuring commands look at before they print numbers of faces that do not belong together:
+// other triangles, other frames, mirror images, other units, inside out.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+
+namespace mien::cli {
+
+/// One face of a measurement and the file that it was read from.
+struct NamedFace {
+    const Mesh& mesh;
+    const std::string& path;
+};
+
+/// Throws std::runtime_error unless both faces have the same triangles, wherever each begins: the
+/// same number of vertices alone does not put them in correspondence. Cost O(triangles).
+void expect_same_triangles(const NamedFace& before, const NamedFace& after);
+
+/// Throws std::runtime_error when the face is wound inside out: gains would be printed as losses.
+void expect_outside_out(const Session& session, const NamedFace& face);
+
+/// A warning on stderr when a mesh is so small or so large that its file is hardly in mm.
+void warn_of_unit(const Session& session, const NamedFace& face);
+
+/// Warnings on stderr about two faces in correspondence that do not lie in one frame, that mirror
+/// one another, or that are the same; returned as they were printed. `aligned`: one was laid onto
+/// the other already. Cost O(vertices).
+std::vector<std::string> warn_of_frames(const Session& session, const NamedFace& before,
+                                        const NamedFace& after, bool aligned);
+
+}  // namespace mien::cli
