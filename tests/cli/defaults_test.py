@@ -135,6 +135,7 @@ def printed_defaults(command):
         option = re.match(r"(?:-\w,)?(--[a-z0-9-]+)(?:,\S+)? (TEXT|FLOAT|INT|UINT)", spec)
         if not line.startswith("  -") or not option:
             continue
+        spec = spec.split(" Needs:")[0]  # of options that are about another one
         default = spec.rpartition("=")[2] if "=" in spec else None
         if default is not None or (option[2] != "TEXT" and "REQUIRED" not in spec):
             found[option[1]] = default
