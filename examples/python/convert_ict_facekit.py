@@ -11,6 +11,7 @@ the expression shapes, vertex_indices.json) and writes, in millimetres:
   landmarks.json      the 68 Multi-PIE landmarks as vertices of the template
   zones.json          face (contains all others), forehead, nose, mouth, chin, cheeks, eyes ...
   train.safetensors   random subjects x 20 expressions, for `mien train`
+  shapes/             on request: the 52 shapes that face trackers drive, for `mien transfer-expression --face-tracking`
 
 ICT-FaceKit is MIT-licensed by the USC Institute for Creative Technologies; its licence also covers
 what this program writes. Needs numpy only.
@@ -70,6 +71,25 @@ EXPRESSIONS = {
     "cheek_blowing": both(1.0, "cheekPuff"),
     "eyes_closed": both(1.0, "eyeBlink"),
 }
+
+
+# The 52 names by which face trackers drive a face, but for what a side is called; and those that the model has in halves. Skin
+# does not show a tongue that comes out: its shape is the neutral face.
+IN_HALVES = ("browInnerUp", "cheekPuff")
+ON_EITHER_SIDE = ("browDown", "browOuterUp", "cheekSquint", "eyeBlink", "eyeLookDown", "eyeLookIn", "eyeLookOut", "eyeLookUp",
+                  "eyeSquint", "eyeWide", "mouthDimple", "mouthFrown", "mouthLowerDown", "mouthPress", "mouthSmile", "mouthStretch",
+                  "mouthUpperUp", "noseSneer")
+IN_ONE = ("jawForward", "jawLeft", "jawOpen", "jawRight", "mouthClose", "mouthFunnel", "mouthLeft", "mouthPucker", "mouthRight",
+          "mouthRollLower", "mouthRollUpper", "mouthShrugLower", "mouthShrugUpper")
+
+
+def face_tracking_shapes():
+    """{name of the tracker: names of the model, which add up}."""
+    shapes = {name: (name,) for name in IN_ONE}
+    shapes.update({name: (f"{name}_L", f"{name}_R") for name in IN_HALVES})
+    shapes.update({name + word: (f"{name}_{side}",) for name in ON_EITHER_SIDE for side, word in (("L", "Left"), ("R", "Right"))})
+    shapes["tongueOut"] = ()
+    return shapes
 
 
 class Problem(Exception):
@@ -215,7 +235,7 @@ def make_faces(mean, identity, shapes, subjects, seed):
     return faces, subject, expression
 
 
-def convert(folder, out, subjects=30, seed=1, skin=SKIN_VERTICES, face=FACE_VERTICES, marks=MULTI_PIE):
+def convert(folder, out, subjects=30, seed=1, skin=SKIN_VERTICES, face=FACE_VERTICES, marks=MULTI_PIE, face_tracking=False):
     """Does it all; `skin`, `face` and `marks` describe the layout of the mesh."""
     model = Path(folder)
     if (model / "FaceXModel").is_dir():
@@ -227,7 +247,8 @@ def convert(folder, out, subjects=30, seed=1, skin=SKIN_VERTICES, face=FACE_VERT
         raise Problem(f"{failure.filename}: cannot be read; give the folder that holds FaceXModel/")
     except (ValueError, KeyError, TypeError):
         raise Problem(f"{model / 'vertex_indices.json'}: is not ICT-FaceKit's list of expressions")
-    needed = sorted({unit for units in EXPRESSIONS.values() for unit in units})
+    needed = sorted({unit for units in EXPRESSIONS.values() for unit in units} |
+                    {unit for units in face_tracking_shapes().values() if face_tracking for unit in units})
     missing = [unit for unit in needed if unit not in known]
     if missing:
         raise Problem(f"{model / 'vertex_indices.json'}: lacks the expressions {', '.join(missing)}")
@@ -249,9 +270,15 @@ def convert(folder, out, subjects=30, seed=1, skin=SKIN_VERTICES, face=FACE_VERT
         "vertices": dict(zip(names, marks))}, indent=1) + "\n")
     zones = make_zones(mean, {name: mean[v] for name, v in zip(names, marks)}, face)
     (out / "zones.json").write_text(json.dumps({"zones": zones}) + "\n")
+    if face_tracking:
+        (out / "shapes").mkdir(exist_ok=True)
+        for name, units in face_tracking_shapes().items():
+            moved = sum((read_obj_vertices(model / f"{unit}.obj", skin) - mean for unit in units), mean)
+            write_ply(out / "shapes" / f"{name}.ply", moved, triangles)
     if subjects > 0:
         identity = np.array([read_obj_vertices(p, skin) - mean for p in identity_paths])
-        shapes = {unit: read_obj_vertices(model / f"{unit}.obj", skin) - mean for unit in needed}
+        shapes = {unit: read_obj_vertices(model / f"{unit}.obj", skin) - mean
+                  for unit in sorted({unit for units in EXPRESSIONS.values() for unit in units})}
         faces, subject, expression = make_faces(mean, identity, shapes, subjects, seed)
         write_safetensors(out / "train.safetensors",
                           {"vertices": faces, "subject": subject, "expression": expression,
@@ -268,11 +295,13 @@ def main():
     parser.add_argument("--out", required=True, help="folder to write")
     parser.add_argument("--subjects", type=int, default=30, help="people in the training set; 0: none (default 30)")
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--face-tracking", action="store_true", help="also write the 52 shapes of face trackers into OUT/shapes")
     options = parser.parse_args()
     if options.subjects < 0 or options.seed < 0:
         parser.error("--subjects and --seed must not be negative")
     try:
-        vertices, triangles, identities = convert(options.folder, options.out, options.subjects, options.seed)
+        vertices, triangles, identities = convert(options.folder, options.out, options.subjects, options.seed,
+                                                  face_tracking=options.face_tracking)
     except (Problem, OSError) as failure:
         sys.exit(f"convert_ict_facekit: {failure}")
     print(f"{options.out}: template of {vertices} vertices and {triangles} triangles, "

@@ -3,12 +3,14 @@
   replay_test.py MIEN MIEN_DEMO_DATA WORK_FOLDER
 """
 import json
+import re
 import shutil
 import subprocess
 import sys
 import unittest
 from pathlib import Path
 
+MIEN_SOURCE = Path(__file__).resolve().parents[2]
 MIEN, DEMO, WORK = Path(sys.argv[1]).resolve(), sys.argv[2], Path(sys.argv[3]).resolve()
 
 
@@ -147,6 +149,54 @@ class OtherTopology(unittest.TestCase):
             self.assertEqual(got, status, err)
             self.assertIn(word, err)
             self.assertFalse((WORK / "x.ply").exists())
+
+    def test_points_of_a_numbering_are_carried_where_the_user_has_its_template(self):
+        # A cloud of the 68 points in iBUG's order, and a surface with as many vertices as MediaPipe's: point k of the face is vertex k.
+        places = self.vertices("demo/template.ply")
+        marks = list(json.loads((WORK / "demo/landmarks.json").read_text())["vertices"].values())
+        self.assertEqual(len(marks), 68)
+        (WORK / "ibug68.xyz").write_text("".join("%.9g %.9g %.9g\n" % places[v] for v in marks))
+        must("mesh", "decimate", "demo/template.ply", "mediapipe.ply", "--vertices", 468)
+        face = "demo/scan/truth_grin.ply"
+        for template, count in (("ibug68.xyz", 68), ("mediapipe.ply", 468)):
+            must("transfer", "--model", "face.safetensors", "--to", template, "--fitted", face, "--out", "numbered.ply")
+            self.assertEqual(len(self.vertices("numbered.ply")), count)
+            if template == "ibug68.xyz":
+                there = self.vertices(face)
+                for got, vertex in zip(self.vertices("numbered.ply"), marks, strict=True):
+                    self.assertLess(max(abs(a - b) for a, b in zip(got, there[vertex])), 1e-3)
+
+    def test_face_tracking_gives_52_named_targets_of_a_person_in_their_order(self):
+        # Made shapes: each moves its own 40 vertices of a small head by 5 mm.
+        names = re.findall(r'"(\w+)"', re.search(r"kNames\{(.*?)\}", (MIEN_SOURCE / "src/cli/topology.cpp").read_text(), re.S).group(1))
+        self.assertEqual(len(set(names)), 52)
+        must("mesh", "decimate", "demo/template.ply", "small.ply", "--vertices", 2200)
+        must("transfer", "--model", "face.safetensors", "--to", "small.ply", "--fitted", "demo/scan/truth_neutral.ply", "--out", "person.ply")
+        must("mesh", "convert", "small.ply", "small.obj")
+        lines = (WORK / "small.obj").read_text().splitlines()
+        vertices = [k for k, line in enumerate(lines) if line.startswith("v ")]
+        (WORK / "shapes").mkdir()
+        for k, name in enumerate(names):
+            moved = list(lines)
+            for row in vertices[40 * k:40 * k + 40] if name != "tongueOut" else ():
+                word = moved[row].split()
+                moved[row] = " ".join((*word[:3], str(float(word[3]) + 5), *word[4:]))
+            (WORK / f"shapes/{name}.obj").write_text("\n".join(moved) + "\n")
+        must("transfer-expression", "--source-neutral", "small.obj", "--target", "person.ply", "--face-tracking", "--out", "tracked.glb",
+             "--source-expression", *(f"shapes/{name}.obj" for name in reversed(names)))
+        raw = (WORK / "tracked.glb").read_bytes()
+        size = int.from_bytes(raw[12:16], "little")
+        gltf = json.loads(raw[20:20 + size])
+        self.assertEqual(gltf["meshes"][0]["extras"]["targetNames"], names)
+        targets = gltf["meshes"][0]["primitives"][0]["targets"]
+        self.assertEqual(len(targets), 52)
+        most = {name: max(map(abs, gltf["accessors"][t["POSITION"]]["max"] + gltf["accessors"][t["POSITION"]]["min"]))
+                for name, t in zip(names, targets)}
+        self.assertLess(most.pop("tongueOut"), 1e-6)
+        # glTF counts in metres.
+        self.assertEqual(gltf["nodes"][0]["scale"], [0.001] * 3)  # millimetres, shown in glTF's metres
+        self.assertGreater(min(most.values()), 0.5)
+        self.assertLess(max(most.values()), 50)
 
     def test_face_tracking_wants_all_52_names(self):
         shutil.copy(WORK / "demo/template.ply", WORK / "jawOpen.ply")

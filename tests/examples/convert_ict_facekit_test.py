@@ -34,7 +34,7 @@ def marked_points():
 class Miniature:
     """Dome z(x, y) on a 33 x 41 grid of quads, then the landmarks, then three socket vertices."""
 
-    def __init__(self, folder):
+    def __init__(self, folder, more_units=()):
         self.model = Path(folder) / "FaceXModel"
         self.model.mkdir()
         xs, ys = np.meshgrid(np.linspace(-80, 80, 33), np.linspace(-80, 120, 41))
@@ -49,7 +49,7 @@ class Miniature:
         self.faces = [" ".join(f"{i}/{i}/{i}" for i in q) for q in quads]
         self.faces.append(f"{self.skin + 1} {self.skin + 2} {self.skin + 3}")     # a socket
         self.identity = [np.array([0.03, 0, 0]) * self.mean, np.array([0, 0.04, 0]) * self.mean]
-        units = sorted({u for e in converter.EXPRESSIONS.values() for u in e})
+        units = sorted({u for e in converter.EXPRESSIONS.values() for u in e} | set(more_units))
         rng = np.random.default_rng(5)
         self.shapes = {u: rng.standard_normal(3) * np.exp(-(self.mean[:, 1:2] + 35) ** 2 / 900) for u in units}
         (self.model / "vertex_indices.json").write_text(json.dumps({"expressions": units + ["eyeLookUp_L"]}))
@@ -156,6 +156,21 @@ class ConvertTest(unittest.TestCase):
         first = (self.out / "train.safetensors").read_bytes()
         self.assertEqual(first, (self.folder / "again" / "train.safetensors").read_bytes())
         self.assertNotEqual(first, (self.folder / "other" / "train.safetensors").read_bytes())
+
+    def test_52_shapes_for_face_trackers_are_those_of_the_model(self):
+        shapes = converter.face_tracking_shapes()
+        self.assertEqual(len(shapes), 52)
+        with tempfile.TemporaryDirectory() as folder:
+            source = Miniature(folder, {unit for units in shapes.values() for unit in units})
+            source.convert(Path(folder) / "out", subjects=0, face_tracking=True)
+            self.assertEqual({p.stem for p in (Path(folder) / "out/shapes").iterdir()}, set(shapes))
+
+            def moved(name):
+                _, _, body = (Path(folder) / "out/shapes" / f"{name}.ply").read_bytes().partition(b"end_header\n")
+                return np.frombuffer(body[:12 * source.skin], "<f4").reshape(-1, 3) - source.mean
+            np.testing.assert_allclose(moved("eyeBlinkLeft"), source.shapes["eyeBlink_L"], atol=1e-4)
+            np.testing.assert_allclose(moved("browInnerUp"), source.shapes["browInnerUp_L"] + source.shapes["browInnerUp_R"], atol=1e-4)
+            np.testing.assert_allclose(moved("tongueOut"), 0, atol=1e-4)
 
     def test_a_folder_without_the_model_says_what_to_give(self):
         run = subprocess.run([sys.executable, str(SCRIPT), str(self.folder / "nothing"), "--out",
