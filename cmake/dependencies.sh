@@ -21,6 +21,16 @@ linux-x86_64) ;;
 linux-aarch64 | windows-x86_64) toolchain=-DCMAKE_TOOLCHAIN_FILE=$project/cmake/$machine.cmake ;;
 *) echo "unknown machine $machine" >&2; exit 2 ;;
 esac
+# For Linux compiled against an older C library, as Mien itself is (package.sh).
+c_flags=
+cxx_flags=
+case $machine in
+linux-*)
+    flags=$(sh "$project/cmake/sysroot.sh" "$machine" "$work")
+    c_flags=$(echo "$flags" | head -1)
+    cxx_flags=$(echo "$flags" | tail -1)
+    ;;
+esac
 
 # Sources through lists of our own, so that the machine's apt configuration stays as it is.
 . /etc/os-release
@@ -52,7 +62,7 @@ build_zlib() {
     mkdir -p "$objects" "$prefix/lib" "$prefix/include" "$prefix/share/licenses/zlib"
     unistd=-DHAVE_UNISTD_H
     [ "$machine" = windows-x86_64 ] && unistd=
-    (cd "$objects" && ${cross}gcc -O2 -fPIC -fvisibility=hidden -ffunction-sections $unistd -c "$work"/source/zlib/*.c)
+    (cd "$objects" && ${cross}gcc $c_flags -O2 -fPIC -fvisibility=hidden -ffunction-sections $unistd -c "$work"/source/zlib/*.c)
     ${cross}ar rcs "$prefix/lib/libz.a" "$objects"/*.o
     cp "$work/source/zlib/zlib.h" "$prefix/include/"
     cp "$work/source/zlib"/zconf.h.in "$prefix/include/zconf.h"
@@ -60,15 +70,16 @@ build_zlib() {
     rm -rf "$objects"
 }
 
-build() { # package, cmake options...
+build() { # package, its library, cmake options...
     package=$1
-    shift
+    library=$2
+    shift 2
     [ -f "$prefix/share/licenses/$package/copyright" ] && return
     fetch "$package"
     rm -rf "$work/build/$machine-$package"
     if ! { cmake -S "$work/source/$package" -B "$work/build/$machine-$package" -G Ninja $toolchain $launcher \
-        -DMIEN_DEPENDENCIES="$prefix" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_INSTALL_PREFIX="$prefix" -DCMAKE_INSTALL_LIBDIR=lib \
-        -DCMAKE_BUILD_TYPE=Release -DCMAKE_POSITION_INDEPENDENT_CODE=ON -DCMAKE_POLICY_DEFAULT_CMP0063=NEW \
+        -DMIEN_DEPENDENCIES="$prefix" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_INSTALL_PREFIX="$prefix" -DCMAKE_INSTALL_LIBDIR:STRING=lib \
+        -DCMAKE_C_FLAGS="$c_flags" -DCMAKE_CXX_FLAGS="$cxx_flags" -DCMAKE_BUILD_TYPE=Release -DCMAKE_POSITION_INDEPENDENT_CODE=ON -DCMAKE_POLICY_DEFAULT_CMP0063=NEW \
         -DCMAKE_C_VISIBILITY_PRESET=hidden -DCMAKE_CXX_VISIBILITY_PRESET=hidden -DCMAKE_VISIBILITY_INLINES_HIDDEN=ON \
         -DCMAKE_CXX_FLAGS_RELEASE="-O2 -DNDEBUG -ffunction-sections -fdata-sections -ffp-contract=off" "$@" &&
         cmake --build "$work/build/$machine-$package" -j "$jobs" && cmake --install "$work/build/$machine-$package"; } \
@@ -77,6 +88,7 @@ build() { # package, cmake options...
         exit 1
     fi
     rm -rf "$work/build/$machine-$package"
+    [ -f "$prefix/lib/$library" ] || { echo "FAILED: $package installs no lib/$library ($work/$machine-$package.log)" >&2; exit 1; }
     mkdir -p "$prefix/share/licenses/$package"
     cp "$work/source/$package/debian/copyright" "$prefix/share/licenses/$package/copyright"
 }
@@ -100,9 +112,9 @@ borrow libcli11-dev include/CLI share/cmake/CLI11
 fetch openmesh
 sed -i 's/\(vci_add_library *(OpenMesh[A-Za-z]* *\)SHARED /\1STATIC /' \
     "$work"/source/openmesh/src/OpenMesh/Core/CMakeLists.txt "$work"/source/openmesh/src/OpenMesh/Tools/CMakeLists.txt
-build openmesh -DBUILD_APPS=OFF -DOPENMESH_DOCS=OFF -DOPENMESH_BUILD_SHARED=OFF
+build openmesh libOpenMeshCore.a -DBUILD_APPS=OFF -DOPENMESH_DOCS=OFF -DOPENMESH_BUILD_SHARED=OFF
 build_zlib
-build libpng1.6 -DPNG_SHARED=OFF -DPNG_TESTS=OFF -DPNG_EXECUTABLES=OFF
+build libpng1.6 libpng.a -DPNG_SHARED=OFF -DPNG_TESTS=OFF -DPNG_EXECUTABLES=OFF
 # Its assembly needs nasm and gives the same bits; a texture is decoded once a scan.
-build libjpeg-turbo -DENABLE_SHARED=OFF -DWITH_TURBOJPEG=OFF -DWITH_SIMD=OFF
+build libjpeg-turbo libjpeg.a -DENABLE_SHARED=OFF -DWITH_TURBOJPEG=OFF -DWITH_SIMD=OFF
 echo "$prefix"

@@ -30,7 +30,20 @@ fi
 
 sh "$project/cmake/dependencies.sh" "$machine" "$work/dependencies"
 prefix=$work/dependencies/$machine
+# The oldest C library that the archive runs with: it is compiled against that of Debian 11 (2.31), and takes what changed since 2.28 in
+# the older form (cmake/glibc_2_28.c).
+oldest_glibc=2.28
+c_flags=
+cxx_flags=
+case $machine in
+linux-*)
+    flags=$(sh "$project/cmake/sysroot.sh" "$machine" "$work/dependencies")
+    c_flags=$(echo "$flags" | head -1)
+    cxx_flags=$(echo "$flags" | tail -1)
+    ;;
+esac
 cmake -S "$project" -B "$work/$machine" -G Ninja $toolchain -DCMAKE_BUILD_TYPE=Release -DMIEN_SELF_CONTAINED=ON \
+    -DCMAKE_C_FLAGS="$c_flags" -DCMAKE_CXX_FLAGS="$cxx_flags" \
     -DMIEN_DEPENDENCIES="$prefix" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_IGNORE_PATH=/usr/lib/x86_64-linux-gnu/cmake/OpenMesh \
     -DCMAKE_INSTALL_LIBDIR=lib -DCMAKE_STRIP="$(command -v "${tools}strip")" -DPNG_PNG_INCLUDE_DIR="$prefix/include" \
     -DPNG_LIBRARY="$prefix/lib/libpng.a" -DJPEG_INCLUDE_DIR="$prefix/include" -DJPEG_LIBRARY="$prefix/lib/libjpeg.a" -DZLIB_INCLUDE_DIR="$prefix/include" -DZLIB_LIBRARY="$prefix/lib/libz.a" \
@@ -59,9 +72,9 @@ bin=$work/$machine/bin
 exe=
 case $machine in
 linux-*)
-    glibc=$("${tools}objdump" -T "$bin/mien" "$bin/mien-demo-data" "$work/$machine"/abi/libmien.so.*.*.* | grep -o 'GLIBC_[0-9.]*' | sort -V | tail -1 |
-        sed 's/GLIBC_//')
-    needs="glibc $glibc or later"
+    OBJDUMP=${tools}objdump python3 "$project/tests/bindings/glibc_needs.py" "$oldest_glibc" "$oldest_glibc" "$bin/mien" "$bin/mien-demo-data" \
+        "$work/$machine"/abi/libmien.so.*.*.*
+    needs="glibc $oldest_glibc or later"
     more=
     ;;
 windows-x86_64)
@@ -108,7 +121,7 @@ else
     library=$(ls "$root"/lib/libmien.so.0.*)
     command=$root/bin/mien
     needed_by() { "${tools}readelf" -dW "$1" | sed -n 's/.*NEEDED.*\[\(.*\)\]/\1/p' | tr '\n' ' '; }
-    allowed='libc.so.6|libm.so.6|ld-linux-.*'
+    allowed='lib(c|m).so.6|libpthread.so.0|libdl.so.2|ld-linux-.*'
     own=libmien.so.0
 fi
 # Names that the loader would not find, where this machine can load it.

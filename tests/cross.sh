@@ -81,7 +81,12 @@ for machine; do
     cd "$programs"
     run "./first$exe" "$demo/face.safetensors" "$demo/expressions.safetensors" "$demo/scan/scan_grin.ply" neutral.ply >first.log
     python3 "$project/tests/bindings/compare_ply.py" "$demo/neutral.ply" neutral.ply 0.001
-    [ "$machine" = "linux-$(uname -m)" ] && sh "$project/tests/bindings/bare_root.sh" "${root%/}" "$demo" "$programs"
+    if [ "$machine" = "linux-$(uname -m)" ]; then
+        sh "$project/tests/bindings/bare_root.sh" "${root%/}" "$demo" "$programs"
+        # And with the old C library that the archive was compiled against.
+        old=$(sh "$project/cmake/sysroot.sh" "$machine" "$work/dependencies" | head -1)
+        sh "$project/tests/bindings/bare_root.sh" "${root%/}" "$demo" "$programs" "cc $old" "$work/dependencies/sysroot-$machine"
+    fi
     run "./previous$exe"
     run "./utf8_paths$exe"
     run "./abuse$exe" - 20000

@@ -1,14 +1,16 @@
 #!/bin/sh
 # The unpacked archive on a machine that has the C library and nothing else: no compiler, no headers, no libstdc++,
 # no shell, no /proc, no /etc. The first program in C does the main job there, and the command runs.
-#   bare_root.sh UNPACKED_ARCHIVE DEMO_FOLDER WORK_DIR [CC]
+#   bare_root.sh UNPACKED_ARCHIVE DEMO_FOLDER WORK_DIR [CC [ROOT]]
 # DEMO_FOLDER holds face.safetensors, expressions.safetensors, scan/scan_grin.ply. Needs root, or user namespaces.
+# ROOT is a folder with another C library (cmake/sysroot.sh), whose loader and libraries are taken then; CC compiles against it.
 set -eu
 project=$(cd "$(dirname "$0")/../.." && pwd)
 archive=$1
 demo=$2
 bare=$3/bare
 cc=${4:-cc}
+root=${5:-}
 rm -rf "$bare"
 mkdir -p "$bare/mien" "$bare/job"
 cp -R "$archive/." "$bare/mien"
@@ -17,9 +19,9 @@ $cc -std=c99 "$project/examples/c/first_program.c" -I"$archive/include" -L"$arch
 
 # The loader and the C library of this machine; `ldd` names what else it would take, which is left out on purpose.
 loader=$(readelf -lW "$bare/job/first" | sed -n 's/.*interpreter: \(.*\)\]/\1/p')
-for library in "$loader" $(ldd "$archive/bin/mien" | grep -oE '/[^ ]*/lib[cm]\.so\.6'); do
+for library in "$loader" $(ldd "$archive/bin/mien" | grep -oE '/[^ ]*/lib(c|m|pthread|dl)\.so\.[0-9]+'); do
     mkdir -p "$bare$(dirname "$library")"
-    cp -L "$library" "$bare$library"
+    cp -L "$root$library" "$bare$library"
 done
 
 there() { # VARIABLE=VALUE ... -- COMMAND ...: runs it with that environment alone
@@ -56,4 +58,4 @@ grep -q 'cheek left\|left cheek' "$bare/job/report.html" || { echo "FAILED: the 
 tail -1 "$bare/job/report.log"
 there LD_LIBRARY_PATH=/mien/lib -- /mien/bin/mien-demo-data --out /job/more --subjects 2 --test-subjects 0 >/dev/null
 cmp "$bare/job/neutral.ply" "$3/neutral.ply" || { echo "FAILED: the bare machine gives another face" >&2; exit 1; }
-echo "bare machine: $(cd "$bare" && find lib* usr -type f 2>/dev/null | tr '\n' ' ')and the archive do the main job"
+echo "bare machine, $(strings "$bare"/lib/*/libc.so.6 | grep -m1 'GNU C Library' || true): $(cd "$bare" && find lib* usr -type f 2>/dev/null | tr '\n' ' ')and the archive do the main job"

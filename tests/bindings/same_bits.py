@@ -3,7 +3,7 @@
 
   same_bits.py PROJECT_DIR BUILD_DIR WORK_DIR LIBRARY
 
-Makes a small study and two models with the project's own commands, then runs C, C++, Python, C#, Java (these
+Makes a small study and two models with the project's own commands, then runs C (also from arrays), C++, Python, C#, Java (these
 rebuild the scan from arrays with its colours, and must also say the same of verdict, zones, visits and cancelling)
 through JNI, Java through the Foreign Function API (where a JDK of 22 or later is found) and the command,
 which goes through files. Hosts whose tools are missing are skipped by name.
@@ -142,6 +142,10 @@ def main():
     host("C", neutral, [build / "bin/mien-first-program", *models, work / "c.ply"], work / "c.ply")
     small = ["sh", "-c", 'ulimit -s 256 && exec "$@"', "sh"]
     host("C, stack of 256 kB", neutral, [*small, build / "bin/mien-first-program", *models, work / "small.ply"], work / "small.ply")
+    if shutil.which("cc"):
+        run("cc", "-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", project / "tests/bindings/from_arrays.c", f"-I{project}/include",
+            f"-L{library.parent}", "-lmien", f"-Wl,-rpath,{library.parent}", "-o", work / "from_arrays")
+        host("C, from arrays", neutral, [work / "from_arrays", *models, work / "c_arrays.ply"], work / "c_arrays.ply")
     host("C++", neutral, [build / "bin/mien-main-job", *models, work / "cpp_fitted.ply", work / "cpp.ply", work / "cpp_file.ply"],
          work / "cpp.ply")
 
