@@ -99,7 +99,7 @@ borrow() { # package, paths below /usr ...
     shift
     for path; do
         mkdir -p "$prefix/$(dirname "$path")"
-        cp -r "/usr/$path" "$prefix/$(dirname "$path")/"
+        cp -rp "/usr/$path" "$prefix/$(dirname "$path")/"  # with their times: nothing is compiled anew
     done
     mkdir -p "$prefix/share/licenses/$package"
     cp "/usr/share/doc/$package/copyright" "$prefix/share/licenses/$package/copyright"
