@@ -48,8 +48,8 @@ FitSolver::ConstMap FitSolver::pca() const {
 
 void FitSolver::use_rows(std::vector<Index> rows, Index scalar_modes, Index pca_modes,
                          const Context& context) {
+    // The cached Phi' W Phi stays: of other rows it preconditions as well, once scaled by weight.
     rows_ = std::move(rows);
-    cache_.gram.resize(0, 0);
     num_rows_ = rows_.empty() ? model_.num_vertices() : static_cast<Index>(rows_.size());
     if (rows_.empty()) {
         packed_basis_.resize(0, 0);

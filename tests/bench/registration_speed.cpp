@@ -1,7 +1,5 @@
 // A whole registration and its stages with the portable loops and with AVX2, in turns:
 // registration_speed MODEL.safetensors SCAN.ply LANDMARKS.json
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
@@ -13,46 +11,9 @@
 #include "mesh/mesh_file.hpp"
 #include "model/deformation_model.hpp"
 #include "registration/registration.hpp"
+#include "registration_clock.hpp"
 
 using namespace mien;
-
-namespace {
-
-double cpu_seconds() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
-           1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
-}
-
-// Processor seconds between the calls of progress, by what the registration does there.
-struct StageClock {
-    static constexpr int kStages = 5;
-    static constexpr const char* kNames[kStages] = {"scan: cleaning, tree, normals", "start", "fit",
-                                                    "closing the gap",
-                                                    "repair, confidence, verdict"};
-    double seconds[kStages] = {}, last = cpu_seconds();
-    int now = 0;
-
-    void enter(int stage) {
-        const double time = cpu_seconds();
-        seconds[now] += time - last;
-        last = time;
-        now = stage;
-    }
-    static std::int32_t listen(void* clock, std::int32_t stage, double fraction) {
-        const bool done = fraction >= 1;
-        int now = 4;
-        if (stage == static_cast<std::int32_t>(Stage::alignment))
-            now = fraction < 0.1 ? 0 : done ? 2 : 1;
-        if (stage == static_cast<std::int32_t>(Stage::fitting)) now = done ? 3 : 2;
-        if (stage == static_cast<std::int32_t>(Stage::refining)) now = done ? 4 : 3;
-        static_cast<StageClock*>(clock)->enter(now);
-        return 0;
-    }
-};
-
-}  // namespace
 
 int main(int argc, char** argv) {
     if (argc != 4) {
@@ -75,13 +36,10 @@ int main(int argc, char** argv) {
             const int portable = turn % 2;
             dense::use_portable_loops(portable == 1);
             StageClock clock;
-            context.progress_function = StageClock::listen;
-            context.progress_user = &clock;
-            const double start = cpu_seconds();
+            clock.listen_to(context);
             places[portable] = register_scan(*model, scan, landmarks, {}, context).fitted.vertices;
-            clock.enter(4);
-            if (clock.last - start < least[portable])
-                least[portable] = clock.last - start, best[portable] = clock;
+            const double seconds = clock.finish();
+            if (seconds < least[portable]) least[portable] = seconds, best[portable] = clock;
         }
         std::printf("%-30s %9s %9s\n", "one thread, best of five, s", "portable", "AVX2");
         const auto row = [](const char* name, double portable, double fast) {
