@@ -72,7 +72,7 @@ endif()
 function(mien_ship target)
     if(TARGET mien_glibc)
         target_sources(${target} PRIVATE $<TARGET_OBJECTS:mien_glibc>)
-        target_link_libraries(${target} PRIVATE Threads::Threads)  # a library of its own before 2.34
+        target_link_options(${target} PRIVATE -pthread)  # a library of its own before 2.34, behind the C++ library's
     endif()
 endfunction()
 if(MIEN_SANITIZE)
