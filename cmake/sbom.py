@@ -55,7 +55,7 @@ def headers_read(build):
             shipped = re.match(r"(src|abi|examples/data)/", line) is not None and not line.startswith("src/training/")
         elif shipped:
             path = os.path.normpath(os.path.join(build, line.strip()))
-            if not path.startswith(source) or "/dependencies/" in path or path.startswith(f"{build}/eigen/"):
+            if not path.startswith((source, f"{build}/")) or "/dependencies/" in path or path.startswith(f"{build}/eigen/"):
                 found.add(re.sub(r"^.*/sysroot-linux-\w+/", "/", path))  # the C library that archives are compiled against
     if not found:
         raise SystemExit(f"FAILED: {build} has no record of what its compilers read (a Ninja build is needed)")
