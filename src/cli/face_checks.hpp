@@ -31,4 +31,11 @@ void warn_of_unit(const Session& session, const NamedFace& face);
 std::vector<std::string> warn_of_frames(const Session& session, const NamedFace& before,
                                         const NamedFace& after, bool aligned);
 
+/// What is wrong with two visits that a report compares. Throws std::runtime_error for other units
+/// and for mirror images, whose volumes would be read as changes; returns warnings, which were
+/// printed, for one face twice and for stable zones that stay apart as those of two persons do
+/// (stable_rms_mm, after their alignment).
+std::vector<std::string> check_visits(const Session& session, const NamedFace& first,
+                                      const NamedFace& later, double stable_rms_mm);
+
 }  // namespace mien::cli

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "face_checks.hpp"
 #include "report_fits.hpp"
 #include "report_page.hpp"
 #include "report_pictures.hpp"
@@ -46,6 +47,7 @@ struct Measured {
     std::vector<std::vector<std::uint32_t>> treated;  ///< vertices of the treated zones
     std::vector<std::int32_t> zones;                  ///< of the study, in the order of the tables
     nlohmann::json told;                              ///< by the study
+    std::vector<std::vector<std::string>> warnings;   ///< of each visit against the first
     const nlohmann::json& recipe() const { return told["recipe"]; }
     /// Why a zone's change has no interval; empty: it has one.
     std::string unknown(std::size_t visit, std::int32_t zone) const {
@@ -114,7 +116,19 @@ Measured measure(const Session& session, const ReportSettings& settings) {
             options.visits.push_back(static_cast<std::int32_t>(result.first_of.size()) - 1);
         }
     }
+    const auto mesh_of = [&](std::size_t visit) {
+        return result.fits[result.first_of[visit]].fit.mesh();
+    };
+    const Mesh first = mesh_of(0);
+    warn_of_unit(session, {first, result.visits[0].captures[0].mesh});
+    for (std::size_t k = 1; k < result.visits.size(); ++k) check_same_unit(first, mesh_of(k));
     result.study = std::make_unique<Study>(session, registrations, expressions.get(), options);
+    result.warnings.resize(1);
+    for (std::size_t k = 1; k < result.visits.size(); ++k)
+        result.warnings.push_back(
+            check_visits(session, {first, result.visits[0].captures[0].mesh},
+                         {mesh_of(k), result.visits[k].captures[0].mesh},
+                         result.study->alignment(0, static_cast<std::int32_t>(k)).rms_mm));
     if (result.study->zone_count() == 0)
         throw CLI::RequiredError("--zones (the fits know of no zone)");
     result.treated = treated_vertices(settings, options, model.get());
@@ -259,6 +273,7 @@ ReportVisit visit_page(const Session& session, const Words& words, const Measure
     visit.fields = given.file.fields;
     visit.good = fit.good();
     visit.reasons = fit.reasons();
+    visit.reasons.insert(visit.reasons.end(), m.warnings[k].begin(), m.warnings[k].end());
     visit.verdict = verdict_in_words(words, fit);
     if (given.captures.size() > 1)
         visit.verdict += "; " + words("captures", {std::to_string(given.captures.size())});
@@ -298,7 +313,8 @@ nlohmann::json describe(const Session& session, const Measured& m, ReportPage& p
                              {"scan", valid_utf8(capture.mesh)},
                              {"scan_sha256", session.hash_file(capture.mesh)},
                              {"captures", m.visits[k].captures.size()},
-                             {"registration", fits[k]->report}};
+                             {"registration", fits[k]->report},
+                             {"warnings", m.warnings[k]}};
         if (m.recipe()["expressions_removed"]) entry["expression"] = m.study->expression(number);
         if (k > 0) {
             entry["alignment_rms_mm"] = m.study->alignment(0, number).rms_mm;

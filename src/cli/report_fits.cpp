@@ -1,6 +1,7 @@
 #include "report_fits.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 
 #include "report_words.hpp"
@@ -115,6 +116,14 @@ std::vector<Visit> find_visits(const std::string& folder) {
                                      "; name the visits in the order of their dates");
         before = &visit;
     }
+    std::string undated;
+    for (const Visit& visit : visits)
+        if (visit.file.date.empty()) undated += (undated.empty() ? "'" : ", '") + visit.name + "'";
+    if (!undated.empty())
+        std::fprintf(stderr,
+                     "mien: warning: %s: visits without a date are taken in the order of their "
+                     "names: %s\n",
+                     folder.c_str(), undated.c_str());
     return visits;
 }
 

@@ -29,6 +29,7 @@ def setUpModule():
     run("mesh", "scale", WORK / "face.ply", WORK / "metres.ply", "--factor", "0.001")
     run("mesh", "turn", WORK / "face.ply", WORK / "turned.ply", "--rotate", "0,35,0")
     run("mesh", "turn", WORK / "face.ply", WORK / "mirrored.ply", "--mirror", "x")
+    run("mesh", "turn", WORK / "mirrored.ply", WORK / "mirrored_back.ply", "--inside-out")
     run("mesh", "turn", WORK / "face.ply", WORK / "inside.ply", "--inside-out")
 
 
@@ -173,6 +174,30 @@ class FacesThatDoNotBelongTogether(unittest.TestCase):
         status, err = self.measured(FACE, FACE)
         self.assertEqual(status, 0)
         self.assertIn("are the same face", err)
+
+    def report(self, **visits):
+        folder = WORK / "patient"
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir()
+        for name, face in visits.items():
+            shutil.copy(face, folder / (name.replace("_", "-") + ".ply"))
+        status, _, err = run("report", "--visits", folder, "--fitted", "--zones", WORK / "demo/zones.json",
+                             "--show", "mouth", "--out", WORK / "page.html", "--json", WORK / "page.json")
+        return status, err
+
+    def test_visits_that_do_not_belong_together(self):
+        for text, expected, later in (("is the same face", 0, FACE), ("not in one unit", 1, WORK / "metres.ply"),
+                                      ("mirror image", 1, WORK / "mirrored_back.ply")):
+            with self.subTest(text=text):
+                status, err = self.report(**{"2026_01_01": FACE, "2026_03_01": later})
+                self.assertEqual(status, expected, err)
+                self.assertIn(text, err)
+        self.assertEqual(self.report(**{"2026_01_01": FACE, "2026_03_01": WORK / "turned.ply"}), (0, ""))
+
+    def test_visits_without_dates_are_told_in_the_order_taken(self):
+        status, err = self.report(before=FACE, after=WORK / "turned.ply")
+        self.assertEqual(status, 0, err)
+        self.assertIn("order of their names: 'after', 'before'", err)
 
     def test_a_face_in_metres_is_told(self):
         for arguments in (["area", WORK / "metres.ply"], ["curvature", WORK / "metres.ply"],
