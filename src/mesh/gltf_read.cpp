@@ -336,7 +336,9 @@ class GltfReader {
                      static_cast<unsigned long>(corner), count);
         num_corners_ += corners.size();
         if (num_corners_ > 3 * document_.file_size())
-            fail(Status::bad_format, "glTF: more triangles than the file holds");
+            fail(Status::bad_format,
+                 "glTF: more triangles than the file holds: its nodes form a circle, or name one "
+                 "mesh very often");
         const auto texture_first = static_cast<std::uint32_t>(texture_.size() / 2);
         texture_.insert(texture_.end(), texture.begin(), texture.end());
         const std::size_t step = mode == 4 ? 3 : 1;

@@ -137,7 +137,8 @@ class ObjReader {
             if (text_.at_line_end() || !text_.number(values[count])) break;
         }
         if (text_.peek() == ',') fail_line("a number has a decimal comma; write decimal points");
-        if (count < 3) fail_line("a vertex needs three numbers");
+        if (count < 3)
+            fail_line("a vertex needs three numbers, with decimal points and blanks between them");
         positions_.insert(positions_.end(), values, values + 3);
         // Three or four more numbers are a colour; one more is the weight of a rational curve.
         if (count >= 6) {
@@ -182,7 +183,7 @@ class ObjReader {
                 const char* word = nullptr;
                 std::size_t length = 0;
                 text_.word(word, length);
-            } else if (static_cast<unsigned char>(text_.peek()) > ' ') {
+            } else if (static_cast<unsigned char>(text_.peek()) > ' ' && text_.peek() != '#') {
                 fail_line("a face's corner is no index");
             }
             textured = textured && texture != kNoTexture;

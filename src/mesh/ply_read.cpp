@@ -98,6 +98,14 @@ class PlyReader {
                                                   static_cast<double>(header_.elements.size()));
         }
         if (!has_vertices) fail(Status::bad_format, "the PLY file has no vertex element");
+        // Less than a triangle may be a mark of some program; more is a part of the surface.
+        constexpr std::size_t kLeastFaceBytes = 6;  // of "3 0 1 2" and of the shortest binary list
+        if (const std::size_t bytes = values_.left_over(); bytes > kLeastFaceBytes)
+            fail(Status::bad_format,
+                 "the PLY file goes on for %zu bytes after the last element that its header "
+                 "counts: the header's counts are too small, or the file was put together from "
+                 "several",
+                 bytes);
         if (plain_.rows() != 0)
             mesh_.triangles.swap(plain_);
         else

@@ -129,6 +129,11 @@ class BinaryValues {
         return raw;
     }
     bool swapped() const { return swapped_; }
+    /// Bytes after the last value that are no line end or padding.
+    std::size_t left_over() const {
+        const auto padding = [](char c) { return c == '\0' || c == '\n' || c == '\r' || c == ' '; };
+        return std::all_of(at_, end_, padding) ? 0 : static_cast<std::size_t>(end_ - at_);
+    }
     /// Faces that are a list of three 4-byte numbers and nothing else, as most files have them:
     /// copied to `out`, 3 x count. False, and nothing taken, when one of them is anything else.
     bool plain_triangles(const PlyProperty& list, std::size_t count, std::uint32_t* out) {
@@ -183,8 +188,13 @@ class TextValues {
     }
     std::size_t length(const PlyProperty& property, const char* what, std::uint64_t element) {
         const double count = next(property.count_type);
-        if (!(count >= 0.0) || count != std::floor(count) ||
-            count > static_cast<double>(capacity(property.type)))
+        if (!(count >= 0.0) || count != std::floor(count))
+            fail_at(Status::bad_format, text_.line(),
+                    "line %lld: %s %llu begins with %g where the length of its list should stand; "
+                    "do the lines before it hold more numbers than the header names?",
+                    static_cast<long long>(text_.line()), what,
+                    static_cast<unsigned long long>(element), count);
+        if (count > static_cast<double>(capacity(property.type)))
             fail_ply_length(count, what, element);
         return static_cast<std::size_t>(count);
     }
@@ -208,6 +218,14 @@ class TextValues {
     bool plain_triangles(const PlyProperty&, std::size_t, std::uint32_t*) { return false; }
     static std::uint64_t least_bytes(PlyType) { return 1; }
     std::uint64_t capacity(PlyType) const { return text_.remaining() / 2 + 1; }
+    /// Bytes after the last value that begin with one more.
+    std::size_t left_over() const {
+        TextCursor rest = text_;
+        double value = 0.0;
+        rest.skip_space();
+        const std::size_t bytes = rest.remaining();
+        return rest.number(value) ? bytes : 0;
+    }
 
   private:
     TextCursor text_;

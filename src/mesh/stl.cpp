@@ -12,6 +12,7 @@ namespace mien::formats {
 namespace {
 
 constexpr std::size_t kHeaderBytes = 84, kTriangleBytes = 50;
+constexpr std::size_t kMostMarks = 20;  // in triangles: what may stand behind a binary file's last
 
 TriMesh weld_corners(const Points& corners, const Context& context) {
     const WeldedPoints welded = weld_points(corners, context);
@@ -29,6 +30,13 @@ TriMesh read_binary(const FileBytes& bytes, std::uint32_t count, const Context& 
         fail(Status::bad_format, "the STL file promises %lu triangles, its %zu bytes hold %zu",
              static_cast<unsigned long>(count), bytes.size,
              (bytes.size - kHeaderBytes) / kTriangleBytes);
+    // Some programs leave marks behind the triangles, but no triangles.
+    const std::size_t held = (bytes.size - kHeaderBytes) / kTriangleBytes;
+    if (held > count && (count == 0 || held - count > kMostMarks))
+        fail(Status::bad_format,
+             "the STL file counts %lu triangles, but its %zu bytes hold %zu: the program that "
+             "wrote it did not come to its end, or the count is damaged",
+             static_cast<unsigned long>(count), bytes.size, held);
     context.require_memory(std::size_t(count) * 72, "an STL file's corners");
     Points corners(3 * static_cast<Index>(count), 3);
     for (std::size_t t = 0; t < count; ++t) {
@@ -56,6 +64,32 @@ bool may_be_number(const char* word, std::size_t size) {
            (size >= 3 && (is_word(word, 3, "nan") || is_word(word, 3, "inf")));
 }
 
+/// "solid" and "endsolid" carry a name of any words to the line's end; in a file of one line, to
+/// the word that begins a facet or ends the solid.
+void skip_name(TextCursor& text) {
+    const char* word = nullptr;
+    std::size_t size = 0;
+    for (text.skip_blanks(); !text.at_line_end(); text.skip_blanks()) {
+        const TextCursor before = text;
+        text.word(word, size);
+        if (size == 0) {
+            text.advance();
+            continue;
+        }
+        // A name may hold these words too: a facet goes on with its normal.
+        TextCursor next = text;
+        next.skip_space();
+        const char* second = nullptr;
+        std::size_t length = 0;
+        next.word(second, length);
+        if ((is_word(word, size, "facet") && length != 0 && is_word(second, length, "normal")) ||
+            is_word(word, size, "endsolid")) {
+            text = before;
+            return;
+        }
+    }
+}
+
 TriMesh read_ascii(const FileBytes& bytes, const Context& context) {
     TextCursor text(bytes.data, bytes.data + bytes.size);
     std::vector<double> corners, loop;
@@ -66,7 +100,10 @@ TriMesh read_ascii(const FileBytes& bytes, const Context& context) {
     bool complete = false, in_loop = false;
     std::size_t words = 0;
     text.skip_space();
-    text.skip_line();  // "solid" and a name of any words
+    const char* solid = nullptr;
+    std::size_t solid_size = 0;
+    text.word(solid, solid_size);
+    skip_name(text);
     for (;;) {
         if (words++ % kCancelInterval == 0) context.check_cancelled();
         text.skip_space();
@@ -96,7 +133,7 @@ TriMesh read_ascii(const FileBytes& bytes, const Context& context) {
             in_loop = false;
         } else if (is_word(word, size, "endsolid") || is_word(word, size, "solid")) {
             complete = is_word(word, size, "endsolid");
-            text.skip_line();
+            skip_name(text);
         } else if (is_word(word, size, "facet") || is_word(word, size, "normal") ||
                    is_word(word, size, "outer") || is_word(word, size, "endfacet")) {
             // Structure without information.
@@ -129,7 +166,7 @@ bool is_ascii_stl(const char* data, std::size_t size) {
     std::size_t length = 0;
     text.word(word, length);
     if (!is_word(word, length, "solid")) return false;
-    for (text.skip_line(), text.skip_space(); !text.at_end(); text.skip_space()) {
+    for (skip_name(text), text.skip_space(); !text.at_end(); text.skip_space()) {
         text.word(word, length);
         if (length == 0) return false;
         if (is_word(word, length, "facet") || is_word(word, length, "endsolid")) return true;

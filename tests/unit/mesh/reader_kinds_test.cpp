@@ -77,6 +77,66 @@ TEST(ReaderKinds, LeadingBlanksAndCapitalsDoNotHideAnAsciiStl) {
         expect_square(parse_mesh(text, "stl"), text);
 }
 
+TEST(ReaderKinds, AnAsciiStlMayStandOnOneLine) {
+    const std::string one = replaced(kStl, "\n", " ");
+    expect_square(parse_mesh(one, "stl"), one);
+    expect_square(parse_mesh(replaced(one, "solid s ", "solid "), "stl"), "no name");
+    expect_square(parse_mesh(replaced(one, "solid s ", "solid of a facet of s "), "stl"), "words");
+    EXPECT_EQ(parse_status(one.substr(0, one.size() / 2), "stl"), Status::bad_format);
+}
+
+// A header that was edited, or whose program lost count: a part of the surface went without a word.
+TEST(ReaderKinds, CountsBelowWhatTheFileHoldsAreRefused) {
+    const std::string fewer = replaced(kPly, "face 2", "face 1");
+    EXPECT_NE(parse_message(fewer, "ply").find("goes on for 8 bytes"), std::string::npos)
+        << parse_message(fewer, "ply");
+    expect_square(parse_mesh(std::string(kPly) + "\n \n", "ply"), "blank lines");
+    std::string binary =
+        replaced(std::string(kPly, std::strstr(kPly, "0 0 0")), "ascii", "binary_little_endian");
+    for (const float x : {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0})
+        binary.append(reinterpret_cast<const char*>(&x), sizeof x);
+    for (const std::int32_t second : {1, 2}) {
+        binary += '\3';
+        for (const std::int32_t corner : {0, second, second + 1})
+            binary.append(reinterpret_cast<const char*>(&corner), sizeof corner);
+    }
+    expect_square(parse_mesh(binary, "ply"), "binary");
+    expect_square(parse_mesh(binary + std::string("\0\0\0\0\0\0\0\0\r\n", 10), "ply"), "padding");
+    EXPECT_NE(parse_message(replaced(binary, "face 2", "face 1"), "ply").find("goes on for 13"),
+              std::string::npos);
+}
+
+TEST(ReaderKinds, ABinaryStlThatCountsTooFewTrianglesIsRefused) {
+    const auto stl = [](std::uint32_t counted, std::size_t held, std::size_t more) {
+        std::string bytes(80, ' ');
+        bytes.append(reinterpret_cast<const char*>(&counted), 4);
+        for (std::size_t t = 0; t < held; ++t) {
+            const float z = static_cast<float>(t);
+            const float triangle[12] = {0, 0, 1, 0, 0, z, 1, 0, z, 0, 1, z};
+            bytes.append(reinterpret_cast<const char*>(triangle), sizeof triangle);
+            bytes.append(2, '\0');
+        }
+        return bytes + std::string(more, 'x');
+    };
+    EXPECT_EQ(parse_mesh(stl(100, 100, 37), "stl").triangles.rows(), 100);
+    EXPECT_EQ(parse_mesh(stl(100, 100, 500), "stl").triangles.rows(), 100);
+    for (const std::uint32_t counted : {0u, 50u})
+        EXPECT_NE(parse_message(stl(counted, 100, 0), "stl").find("hold 100"), std::string::npos)
+            << counted;
+}
+
+TEST(ReaderKinds, LinesOfMoreNumbersThanThePlyHeaderNamesAreTold) {
+    const std::string message = parse_message(replaced(kPly, "0 1 0\n", "0 1 0 0.25\n"), "ply");
+    EXPECT_NE(message.find("more numbers than the header names"), std::string::npos) << message;
+}
+
+TEST(ReaderKinds, CommentsMayTouchTheLastCornerOfAnObjFace) {
+    expect_square(parse_mesh(replaced(replaced(kObj, "3/3\n", "3/3#a\n"), "4/4\n", "4#b\n"), "obj"),
+                  "comments");
+    const std::string message = parse_message(replaced(kObj, "v 1 0 0", "v 1,5 0,1 0,0"), "obj");
+    EXPECT_NE(message.find("decimal"), std::string::npos) << message;
+}
+
 TEST(ReaderKinds, WordsForUndefinedNumbersAreNotANumberAndUnusedPointsGo) {
     for (const char* word :
          {"nan", "-nan", "NaN", "nan(ind)", "-nan(ind)", "-1.#IND", "1.#QNAN", "-1.#IND00",
