@@ -15,6 +15,19 @@ bool stand_together(const Pin& a, const Pin& b, double rest_mm, double together)
 
 }  // namespace
 
+std::vector<std::size_t> far_pins(const std::vector<Pin>& pins, const Vector3& low,
+                                  const Vector3& high, const GrossPinSettings& settings) {
+    std::vector<std::size_t> far;
+    if (!settings.enabled) return far;
+    const Vector3 middle = (low + high) / 2;
+    const double limit_mm = settings.far * (high - low).norm() / 2;
+    for (std::size_t k = 0; k < pins.size(); ++k)
+        if (!((pins[k].place - middle).norm() <= limit_mm)) far.push_back(k);
+    if (static_cast<double>(far.size()) > settings.most * static_cast<double>(pins.size()))
+        far.clear();
+    return far;
+}
+
 std::vector<std::size_t> gross_pins(const DeformationModel& model, const std::vector<Pin>& pins,
                                     const Similarity& motion, const GrossPinSettings& settings) {
     std::vector<std::size_t> gross;

@@ -19,7 +19,15 @@ struct GrossPinSettings {
     double together = 0.25;      ///< 0 to 1: of their distance on the template; two that stand
                                  ///< so near to each other do not speak for each other
     double most = 0.34;          ///< 0 to 1: when a larger share would go, none does
+    double far = 30;             ///< > 1: half extents of the scan from its middle; no picked place
+                                 ///< lies beyond
 };
+
+/// Numbers of the pins, ascending, which lie so far from a scan within low .. high (mm) that
+/// nothing can be aligned with them: a sum of places over which one at 1e30 has the say forgets the
+/// others.
+std::vector<std::size_t> far_pins(const std::vector<Pin>& pins, const Vector3& low,
+                                  const Vector3& high, const GrossPinSettings& settings);
 
 /// Numbers of the pins, ascending. `motion` aligned robustly. O(#pins^2).
 std::vector<std::size_t> gross_pins(const DeformationModel& model, const std::vector<Pin>& pins,

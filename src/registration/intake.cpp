@@ -71,6 +71,7 @@ PreparedScan prepare_scan(const TriMesh& raw, const IntakeSettings& settings,
                           : choose_unit_mm(cleaned.mesh.vertices, settings.units, settings.unit);
     cleaned.mesh.vertices *= scan.unit_to_mm;
     make_windings_alike(cleaned.mesh, settings.windings, scan, context);
+    scan.pieces = find_pieces(cleaned.mesh, settings.pieces);
     scan.surface = build_scan_surface(cleaned.mesh, settings.surface, context);
     scan.surface.weight = given_weights(cleaned, settings.weight_per_vertex);
     take_colors(cleaned.mesh, settings, scan.surface, context);

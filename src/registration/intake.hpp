@@ -3,6 +3,7 @@
 #pragma once
 
 #include "mesh/winding.hpp"
+#include "registration/scan_pieces.hpp"
 #include "registration/scan_surface.hpp"
 #include "registration/skin.hpp"
 #include "registration/units.hpp"
@@ -17,6 +18,7 @@ struct IntakeSettings {
     UnitSettings unit;
     WindingSettings windings;
     SkinSettings skin;
+    PieceSettings pieces;
     ColorSignalSettings signals;
     double image_radius_mm = 0.7;  ///< mm, 0 to 5: the disc of a texture image whose mean a look
                                    ///< takes: what a scan of 1.4 mm between vertices shows [J]
@@ -32,6 +34,8 @@ struct PreparedScan {
                                        ///< be wound as the others; empty: none
     Index num_turned = 0;
     double outward = 0;  ///< -1 to 1, how far the surface faces away from its middle
+
+    PieceFindings pieces;
 
     /// The raw scan's number of the primitive (triangle, or point of a cloud) that was hit.
     std::uint32_t raw_primitive(const SurfaceHit& hit) const {

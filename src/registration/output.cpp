@@ -38,6 +38,8 @@ Verdict find_verdict(const FinishedStages& stages, const Points& normals,
     verdict.turned_over = stages.start.scan.turned_over();
     verdict.turned_triangles = static_cast<int>(stages.scan.num_turned);
     verdict.notes = stages.start.notes;
+    if (!stages.scan.pieces.note.empty()) verdict.notes.push_back(stages.scan.pieces.note);
+    verdict.two_surfaces = stages.scan.pieces.doubt;
     verdict.landmarks_rejected = stages.start.rejected;
     verdict.colors_left_out = stages.start.colors_left_out;
     verdict.repaired_triangles = static_cast<int>(stages.gap.undone + folds.before - folds.after);

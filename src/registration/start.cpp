@@ -200,6 +200,10 @@ StartState find_start(const DeformationModel& model, const PreparedScan& scan,
         ScanView(scan.surface), prior.state_at_rest(), {}, {}, {}, {}, {}, 0, false, {}, {}, {}};
     NamedPins matched = match_landmarks(model, landmarks, scan.unit_to_mm,
                                         settings.landmark_sigma_mm, start.unknown);
+    if (const PointsRef places(scan.surface.vertices); places.rows() > 0)
+        reject(far_pins(matched.pins, places.colwise().minCoeff(), places.colwise().maxCoeff(),
+                        settings.gross),
+               matched, start);
     const StartKind kind = choose_kind(settings.kind, matched.pins.size(), landmarks.size());
     if (kind == StartKind::landmarks)
         settle_sides(model, prior.freedom.scale, settings, matched, start);

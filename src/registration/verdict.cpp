@@ -158,6 +158,7 @@ void judge(Verdict& v, const VerdictLimits& l) {
         judge.doubt(FitQuality::doubtful,
                     "the scan's triangles face inwards: it is inside out, or mirrored (left and "
                     "right exchanged)");
+    if (!v.two_surfaces.empty()) judge.doubt(FitQuality::doubtful, v.two_surfaces);
     judge_expected(v, l.most_zones, judge);
     if (v.searched && !v.expected.empty() && !(v.search_score >= l.doubtful_search) &&
         v.expected.front().expected_mm > l.failed_search_mm)

@@ -25,6 +25,7 @@ struct Verdict {
     int self_intersections = 0;      ///< pairs of crossing triangles (lips, lids)
     double search_score = 0;         ///< of a start without landmarks, 0 to 1; 0 with
     bool searched = false;           ///< the start was searched
+    std::string two_surfaces;        ///< why the scan is not one surface; empty when it is
     bool turned_over = false;        ///< the scan's triangles face inwards
     int turned_triangles = 0;        ///< wound against the others, and mended
     std::vector<std::string> notes;  ///< what was mended or settled before the fit; no doubts

@@ -55,6 +55,56 @@ TEST(LandmarkFrame, LandmarksInAnotherUnitThanTheScanAreBroughtToIt) {
     }
 }
 
+// One landmark at 1e30 had all the say in sums of places: "alignment points lie on one line".
+TEST(Landmarks, OneFarBeyondTheScanIsLeftOutBeforeAnythingIsAligned) {
+    const SmallFace face = small_face();
+    const TriMesh scan = scan_of(face, Similarity());
+    std::vector<LandmarkPoint> landmarks = landmarks_of(face, Similarity());
+    const std::string name = landmarks[4].name;
+    std::vector<LandmarkPoint> others = landmarks;
+    others.erase(others.begin() + 4);
+    const RegistrationResult without = register_scan(face.model, scan, others, {}, {});
+    for (const double place : {1e30, -1e9, 1e300}) {
+        landmarks[4].point = Vector3(0, place, 0);
+        const RegistrationResult fit = register_scan(face.model, scan, landmarks, {}, {});
+        EXPECT_EQ(fit.verdict.landmarks_rejected, std::vector<std::string>{name});
+        EXPECT_EQ(fit.fitted.vertices, without.fitted.vertices) << place;
+    }
+}
+
+TriMesh joined(const TriMesh& a, const TriMesh& b, const Vector3& moved_by) {
+    TriMesh both;
+    both.vertices.resize(a.vertices.rows() + b.vertices.rows(), 3);
+    both.vertices << a.vertices, b.vertices.rowwise() + moved_by.transpose();
+    both.triangles.resize(a.triangles.rows() + b.triangles.rows(), 3);
+    both.triangles << a.triangles,
+        (b.triangles.array() + static_cast<std::uint32_t>(a.vertices.rows())).matrix();
+    return both;
+}
+
+// A fit follows one of two surfaces and looks good: 3.8 mm off on two visits in one file.
+TEST(ScanPieces, TwoSurfacesOverEachOtherAreDoubtedAndOnesBesideAreNoted) {
+    const SmallFace face = small_face();
+    const TriMesh scan = scan_of(face, Similarity());
+    const PieceSettings settings;
+    EXPECT_TRUE(find_pieces(scan, settings).doubt.empty());
+    EXPECT_TRUE(find_pieces(scan, settings).note.empty());
+    const double extent =
+        (scan.vertices.colwise().maxCoeff() - scan.vertices.colwise().minCoeff()).norm();
+    const TriMesh merged = joined(scan, scan, Vector3(0, 0.01 * extent, 0.01 * extent));
+    PieceFindings found = find_pieces(merged, settings);
+    EXPECT_NE(found.doubt.find("over each other"), std::string::npos);
+    found = find_pieces(joined(scan, scan, Vector3(2 * extent, 0, 0)), settings);
+    EXPECT_TRUE(found.doubt.empty());
+    EXPECT_NE(found.note.find("second piece"), std::string::npos);
+    const auto landmarks = landmarks_of(face, Similarity());
+    const RegistrationResult fit = register_scan(face.model, merged, landmarks, {}, {});
+    EXPECT_NE(fit.verdict.quality, FitQuality::good);
+    TriMesh small = scan;
+    small.triangles.conservativeResize(scan.triangles.rows() / 3, 3);
+    EXPECT_TRUE(find_pieces(joined(scan, small, Vector3(0, 1, 1)), settings).doubt.empty());
+}
+
 std::string reasons_of(const RegistrationResult& fit) {
     std::string text;
     for (const std::string& reason : fit.verdict.reasons) text += reason + "\n";
