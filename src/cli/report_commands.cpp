@@ -120,15 +120,14 @@ Measured measure(const Session& session, const ReportSettings& settings) {
         return result.fits[result.first_of[visit]].fit.mesh();
     };
     const Mesh first = mesh_of(0);
-    warn_of_unit(session, {first, result.visits[0].captures[0].mesh});
+    warn_of_unit(session, {first, result.visits[0].name});
     for (std::size_t k = 1; k < result.visits.size(); ++k) check_same_unit(first, mesh_of(k));
     result.study = std::make_unique<Study>(session, registrations, expressions.get(), options);
     result.warnings.resize(1);
     for (std::size_t k = 1; k < result.visits.size(); ++k)
-        result.warnings.push_back(
-            check_visits(session, {first, result.visits[0].captures[0].mesh},
-                         {mesh_of(k), result.visits[k].captures[0].mesh},
-                         result.study->alignment(0, static_cast<std::int32_t>(k)).rms_mm));
+        result.warnings.push_back(check_visits(
+            session, {first, result.visits[0].name}, {mesh_of(k), result.visits[k].name},
+            result.study->alignment(0, static_cast<std::int32_t>(k)).rms_mm));
     if (result.study->zone_count() == 0)
         throw CLI::RequiredError("--zones (the fits know of no zone)");
     result.treated = treated_vertices(settings, options, model.get());
@@ -273,7 +272,6 @@ ReportVisit visit_page(const Session& session, const Words& words, const Measure
     visit.fields = given.file.fields;
     visit.good = fit.good();
     visit.reasons = fit.reasons();
-    visit.reasons.insert(visit.reasons.end(), m.warnings[k].begin(), m.warnings[k].end());
     visit.verdict = verdict_in_words(words, fit);
     if (given.captures.size() > 1)
         visit.verdict += "; " + words("captures", {std::to_string(given.captures.size())});

@@ -123,7 +123,7 @@ std::vector<Visit> find_visits(const std::string& folder) {
         std::fprintf(stderr,
                      "mien: warning: %s: visits without a date are taken in the order of their "
                      "names: %s\n",
-                     folder.c_str(), undated.c_str());
+                     valid_utf8(folder).c_str(), undated.c_str());
     return visits;
 }
 
