@@ -52,4 +52,10 @@ struct Similarity {
     }
 };
 
+// First `inner`, then `outer`.
+inline Similarity compose(const Similarity& outer, const Similarity& inner) {
+    return {outer.rotation * inner.rotation, outer.apply(inner.translation),
+            outer.scale * inner.scale};
+}
+
 }  // namespace mien

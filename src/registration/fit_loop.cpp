@@ -8,14 +8,6 @@
 namespace mien {
 namespace {
 
-Similarity compose(const Similarity& outer, const Similarity& inner) {
-    Similarity both;
-    both.scale = outer.scale * inner.scale;
-    both.rotation = outer.rotation * inner.rotation;
-    both.translation = outer.apply(inner.translation);
-    return both;
-}
-
 // About one vertex in `stride`, spread by a hash of the index, and every pinned vertex; ascending.
 std::vector<Index> choose_rows(Index num_vertices, Index stride, const std::vector<Pin>& pins) {
     constexpr std::uint32_t kKnuth = 2654435761u;  // 2^32 over the golden ratio

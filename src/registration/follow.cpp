@@ -18,11 +18,6 @@ namespace {
 
 constexpr std::size_t kChunk = 256;  // vertices at a time
 
-Similarity compose(const Similarity& outer, const Similarity& inner) {
-    return {outer.rotation * inner.rotation, outer.apply(inner.translation),
-            outer.scale * inner.scale};
-}
-
 // The model about `start` as its mean, size and all, and the motion to there.
 DeformationModel shape_of(const DeformationModel& model, const PriorState& prior,
                           const PointsRef& start, Similarity& motion) {

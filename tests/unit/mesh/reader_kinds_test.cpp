@@ -35,10 +35,10 @@ constexpr const char* kStl =
     "endfacet\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 1 0\nvertex 0 1 0\nendloop\n"
     "endfacet\nendsolid s\n";
 
-struct Sample {
+struct KindOfFile {
     const char *extension, *text;
 };
-constexpr Sample kSamples[] = {{"obj", kObj}, {"ply", kPly}, {"off", kOff}, {"stl", kStl}};
+constexpr KindOfFile kKindsOfFile[] = {{"obj", kObj}, {"ply", kPly}, {"off", kOff}, {"stl", kStl}};
 
 void expect_square(const TriMesh& mesh, const std::string& what) {
     EXPECT_EQ(mesh.vertices, points_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}})) << what;
@@ -46,13 +46,13 @@ void expect_square(const TriMesh& mesh, const std::string& what) {
 }
 
 TEST(ReaderKinds, AByteOrderMarkBeforeTheTextIsSteppedOver) {
-    for (const Sample& sample : kSamples)
+    for (const KindOfFile& sample : kKindsOfFile)
         expect_square(parse_mesh(std::string("\xef\xbb\xbf") + sample.text, sample.extension),
                       sample.extension);
 }
 
 TEST(ReaderKinds, TextInSixteenBitUnitsOfBothByteOrdersIsRead) {
-    for (const Sample& sample : kSamples)
+    for (const KindOfFile& sample : kKindsOfFile)
         for (const bool little : {true, false}) {
             std::string wide = little ? "\xff\xfe" : "\xfe\xff";
             for (const char* c = sample.text; *c != '\0'; ++c)
@@ -62,7 +62,7 @@ TEST(ReaderKinds, TextInSixteenBitUnitsOfBothByteOrdersIsRead) {
 }
 
 TEST(ReaderKinds, AnyLineEndEndsALine) {
-    for (const Sample& sample : kSamples)
+    for (const KindOfFile& sample : kKindsOfFile)
         for (const char* end : {"\r", "\r\n", "\r\r\n", "\n\n", " \r", "\t\r\n"})
             expect_square(parse_mesh(replaced(sample.text, "\n", end), sample.extension),
                           sample.extension);
@@ -245,7 +245,7 @@ TEST(ReaderKinds, BinaryOffOfBothByteOrdersWithAndWithoutFaceColours) {
 
 TEST(ReaderKinds, WhatAFileHoldsDecidesWhereItsNameMisleads) {
     std::vector<std::pair<std::string, std::string>> all;
-    for (const Sample& sample : kSamples) all.emplace_back(sample.extension, sample.text);
+    for (const KindOfFile& sample : kKindsOfFile) all.emplace_back(sample.extension, sample.text);
     ScratchFolder folder;
     TriMesh square = parse_mesh(kPly, "ply");
     for (const char* name : {"b.ply", "b.stl"}) {
@@ -264,7 +264,7 @@ TEST(ReaderKinds, DecimalCommasAreNotReadAsSeparators) {
                              "  1.5;2.25;3.75;\n", "1.5\t2.25\t3.75\r\n"})
         EXPECT_EQ(parse_mesh(text, "xyz").vertices, points_of({{1.5, 2.25, 3.75}})) << text;
     EXPECT_NE(parse_message("v 1 2 3,5\n", "obj").find("decimal"), std::string::npos);
-    for (const Sample& sample : kSamples)
+    for (const KindOfFile& sample : kKindsOfFile)
         EXPECT_NE(parse_message(replaced(sample.text, "1 1 0\n", "1 1,5 0\n"), sample.extension),
                   "read")
             << sample.extension;
@@ -284,8 +284,8 @@ TEST(ReaderKinds, NoFormatThatTellsItsEndIsReadCutShort) {
         "0 1 0</DataArray></Points><Polys><DataArray type=\"Int32\" Name=\"connectivity\" "
         "format=\"ascii\">0 1 2</DataArray><DataArray type=\"Int32\" Name=\"offsets\" "
         "format=\"ascii\">3</DataArray></Polys></Piece></PolyData></VTKFile>\n";
-    for (const Sample& sample :
-         {Sample{"ply", kPly}, {"stl", kStl}, {"off", kOff}, {"vtk", kVtk}, {"vtp", kVtp}}) {
+    for (const KindOfFile& sample :
+         {KindOfFile{"ply", kPly}, {"stl", kStl}, {"off", kOff}, {"vtk", kVtk}, {"vtp", kVtp}}) {
         const std::string whole = sample.text;
         EXPECT_EQ(parse_message(whole, sample.extension), "read") << sample.extension;
         // A VTK file that ends before its polygons is a cloud of points.

@@ -14,7 +14,7 @@ namespace {
 
 using namespace test;
 
-struct Stage {
+struct Filmed {
     SmallFace face = small_face();
     DepthCamera camera;
 
@@ -49,7 +49,7 @@ double error_mm(const Follower& follower, const Points& truth) {
 }
 
 TEST(Follow, AHeadThatTurnsAndAFaceThatMoves) {
-    const Stage stage;
+    const Filmed stage;
     Follower follower(stage.face.model, stage.prior(), stage.places(0, Vector3::Zero()), {}, {});
     for (int k = 1; k <= 12; ++k) {
         const Points truth = stage.places(1.7 * k, Vector3(k, -k, 2 * k), k / 12.0);
@@ -62,7 +62,7 @@ TEST(Follow, AHeadThatTurnsAndAFaceThatMoves) {
 }
 
 TEST(Follow, AFaceThatIsGoneIsLostAndFoundWhereItComesBack) {
-    const Stage stage;
+    const Filmed stage;
     Follower follower(stage.face.model, stage.prior(), stage.places(0, Vector3::Zero()), {}, {});
     const Points before = follower.places();
     EXPECT_EQ(follower.follow(stage.empty(), {}).state, FollowState::lost);
@@ -75,7 +75,7 @@ TEST(Follow, AFaceThatIsGoneIsLostAndFoundWhereItComesBack) {
 }
 
 TEST(Follow, SomethingElseInItsPlaceIsNotTheFace) {
-    const Stage stage;
+    const Filmed stage;
     Follower follower(stage.face.model, stage.prior(), stage.places(0, Vector3::Zero()), {}, {});
     Points wall = stage.places(0, Vector3::Zero());
     wall.col(2).setConstant(480);
@@ -83,7 +83,7 @@ TEST(Follow, SomethingElseInItsPlaceIsNotTheFace) {
 }
 
 TEST(Follow, HasTheSameBitsForAnyNumberOfThreads) {
-    const Stage stage;
+    const Filmed stage;
     const Points truth = stage.places(4, Vector3(2, 1, 0), 0.3);
     Points alone;
     for (const int threads : {1, 2, 3}) {
@@ -99,7 +99,7 @@ TEST(Follow, HasTheSameBitsForAnyNumberOfThreads) {
 }
 
 TEST(Follow, RefusesAStartOfAnotherTemplate) {
-    const Stage stage;
+    const Filmed stage;
     try {
         const Follower follower(stage.face.model, stage.prior(), Points::Zero(7, 3), {}, {});
         FAIL();
@@ -109,7 +109,7 @@ TEST(Follow, RefusesAStartOfAnotherTemplate) {
 }
 
 TEST(DepthGrid, FindsItsCameraAndTheFeetOfPerpendiculars) {
-    const Stage stage;
+    const Filmed stage;
     const Points places = stage.places(0, Vector3::Zero());
     const Points frame =
         depth_frame(stage.camera, places, stage.face.model.template_mesh.triangles, 0, 1);
