@@ -83,8 +83,11 @@ Confusion confusion_of_training(const std::vector<double>& grades, const nlohman
     std::vector<double> given, predicted;
     for (const double grade : grades)
         if (!std::isnan(grade)) given.push_back(grade);
-    for (const nlohmann::json& value : report["held_out_predictions"])
-        predicted.push_back(value.get<double>());
+    const double lowest = report["lowest"].get<double>(), highest = report["highest"].get<double>();
+    for (const nlohmann::json& value : report["held_out_predictions"]) {
+        const double score = value.get<double>();  // cut to the range as `score predict` does
+        predicted.push_back(highest > lowest ? std::clamp(score, lowest, highest) : score);
+    }
     Confusion confusion;
     confusion.counts = confusion_counts(whole_grades(given), whole_grades(predicted), 0);
     confusion.title = "Faces held out";

@@ -300,6 +300,16 @@ class Scores(unittest.TestCase):
                 self.assertEqual(number, sum(g == row and t == column for g, t in zip(given, told)))
         self.assertEqual((WORK / "score.png").read_bytes()[:8], PNG)
 
+    def test_grades_of_faces_held_out_keep_to_the_range(self):
+        raw = (WORK / "demo/train.safetensors").read_bytes()
+        count = json.loads(raw[8:8 + struct.unpack_from("<Q", raw)[0]])["vertices"]["shape"][0]
+        (WORK / "faces.json").write_text(json.dumps({"grades": [k % 3 for k in range(count)]}))
+        must("score", "train", "--data", WORK / "demo/train.safetensors", "--grades", WORK / "faces.json", "--components", "1",
+             "--folds", "3", "--range", "1", "1.4", "--out", WORK / "score.safetensors", "--json", WORK / "score.json")
+        report = read(WORK / "score.json")
+        self.assertTrue(any(not 1 <= value <= 1.4 for value in report["held_out_predictions"]))
+        self.assertEqual([sum(row[k] for row in report["confusion"]) for k in range(3)], [0, count, 0])
+
 
 class Fields(unittest.TestCase):
     def test_geodesics_from_landmarks(self):
