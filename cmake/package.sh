@@ -155,4 +155,6 @@ done
 for name in $(needed_by "$command"); do
     echo "$name" | grep -qE "^($allowed|$own)$" || { echo "FAILED: the command needs $name" >&2; exit 1; }
 done
-[ "$size" -lt 6000000 ] || { echo "FAILED: the library is larger than 6 MB" >&2; exit 1; }
+# A guard against what is linked by mistake: the C++ library and the decoders are inside. -O2 would save 1 MB and cost a fit a quarter
+# of its time.
+[ "$size" -lt 8000000 ] || { echo "FAILED: the library is larger than 8 MB" >&2; exit 1; }
