@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <Eigen/Geometry>
 
 #include "mesh/topology.hpp"
 
