@@ -167,7 +167,8 @@ void run_batch(const BatchArguments& arguments) {
     const Model model(session, arguments.model);
     fs::create_directories(fs::u8path(arguments.out_dir));
     expect_scans_kept(jobs, arguments);
-    const auto step = static_cast<std::size_t>(kScansPerThread * arguments.common.num_threads);
+    const auto step = static_cast<std::size_t>(kScansPerThread) *
+                      static_cast<std::size_t>(arguments.common.num_threads);
     for (std::size_t first = 0; first < jobs.size(); first += step) {
         const std::size_t end = std::min(jobs.size(), first + step);
         Chunk chunk(session, model, arguments);

@@ -120,7 +120,7 @@ nlohmann::json add_landmarks(const Session& session, const Model& model, const s
     warn_of_unknown_landmarks(matched, path);
     for (const NamedPoint& point : picked_points(matched, path))
         options.landmarks.push_back({point.name, point.point});
-    const nlohmann::json report = nlohmann::json::parse(matched.json());
+    nlohmann::json report = nlohmann::json::parse(matched.json());
     // A fit without landmarks is another fit than the one that was asked for.
     if (options.landmarks.empty())
         throw std::runtime_error(

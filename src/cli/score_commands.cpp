@@ -73,7 +73,8 @@ std::vector<int> whole_grades(const std::vector<double>& grades) {
     std::vector<int> whole;
     whole.reserve(grades.size());
     for (const double grade : grades)
-        whole.push_back(std::isnan(grade) ? -1 : std::max(0, static_cast<int>(grade + 0.5)));
+        whole.push_back(std::isnan(grade) ? -1
+                                          : std::max(0, static_cast<int>(std::floor(grade + 0.5))));
     return whole;
 }
 
