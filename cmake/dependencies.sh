@@ -22,15 +22,9 @@ linux-aarch64 | windows-x86_64) toolchain=-DCMAKE_TOOLCHAIN_FILE=$project/cmake/
 *) echo "unknown machine $machine" >&2; exit 2 ;;
 esac
 # For Linux compiled against an older C library, as Mien itself is (package.sh).
-c_flags=
-cxx_flags=
-case $machine in
-linux-*)
-    flags=$(sh "$project/cmake/sysroot.sh" "$machine" "$work")
-    c_flags=$(echo "$flags" | head -1)
-    cxx_flags=$(echo "$flags" | tail -1)
-    ;;
-esac
+flags=$(sh "$project/cmake/sysroot.sh" "$machine" "$work")
+c_flags=$(echo "$flags" | head -1)
+cxx_flags=$(echo "$flags" | tail -1)
 
 # Sources through lists of our own, so that the machine's apt configuration stays as it is.
 . /etc/os-release

@@ -33,15 +33,9 @@ prefix=$work/dependencies/$machine
 # The oldest C library that the archive runs with: it is compiled against that of Debian 11 (2.31), and takes what changed since 2.28 in
 # the older form (cmake/glibc_2_28.c).
 oldest_glibc=2.28
-c_flags=
-cxx_flags=
-case $machine in
-linux-*)
-    flags=$(sh "$project/cmake/sysroot.sh" "$machine" "$work/dependencies")
-    c_flags=$(echo "$flags" | head -1)
-    cxx_flags=$(echo "$flags" | tail -1)
-    ;;
-esac
+flags=$(sh "$project/cmake/sysroot.sh" "$machine" "$work/dependencies")
+c_flags=$(echo "$flags" | head -1)
+cxx_flags=$(echo "$flags" | tail -1)
 cmake -S "$project" -B "$work/$machine" -G Ninja $toolchain -DCMAKE_BUILD_TYPE=Release -DMIEN_SELF_CONTAINED=ON \
     -DCMAKE_C_FLAGS="$c_flags" -DCMAKE_CXX_FLAGS="$cxx_flags" \
     -DMIEN_DEPENDENCIES="$prefix" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_IGNORE_PATH=/usr/lib/x86_64-linux-gnu/cmake/OpenMesh \

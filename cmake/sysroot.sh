@@ -1,7 +1,7 @@
 #!/bin/sh
 # The C library that the Linux archives are compiled against: Debian 11's (glibc 2.31), so that what is compiled here asks for
-# no newer one. Prints the compiler flags for C, a line further those for C++.
-#   sysroot.sh linux-x86_64|linux-aarch64 WORK_DIR
+# no newer one. Prints the compiler flags for C, a line further those for C++; none for Windows.
+#   sysroot.sh linux-x86_64|linux-aarch64|windows-x86_64 WORK_DIR
 # The compiler and its C++ library stay this machine's. Only the unwinder comes from there too: today's asks the C library for a
 # function of glibc 2.35 (_dl_find_object). WORK_DIR/sysroot-MACHINE holds it; nothing is fetched twice.
 set -e
@@ -10,6 +10,7 @@ work=$2
 case $machine in
 linux-x86_64) architecture=amd64; triple=x86_64-linux-gnu; compiler=g++ ;;
 linux-aarch64) architecture=arm64; triple=aarch64-linux-gnu; compiler=aarch64-linux-gnu-g++ ;;
+windows-*) exit 0 ;;
 *) echo "sysroot.sh: no C library for $machine" >&2; exit 2 ;;
 esac
 mkdir -p "$work"
