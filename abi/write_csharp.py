@@ -148,7 +148,7 @@ def native_file(plan):
     for name, result, parameters in signatures:
         lines += ['        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]',
                   f"        internal static extern {result} {name}({parameters});"]
-    lines.append("#else")
+    lines += ["#else", "        static Functions() { } // at the first use and not before: Library.Need() has looked then"]
     for name, result, parameters in signatures:
         lines += ["        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]", f"        internal delegate {result} {name}_function({parameters});",
                   f'        internal static readonly {name}_function {name} = Library.Function<{name}_function>("{name}");']
@@ -165,7 +165,7 @@ def write_struct(s, plan):
     lines += [f"    public sealed unsafe class {name}{base}", "    {"]
     if s.use == "options" and any(f.role in ("scalar", "fixed") for f in fields):
         lines += ["        /// <summary>With the library's defaults.</summary>", f"        public {name}()", "        {",
-                  f"            var raw = default(Native.{name});",
+                  "            Library.Need();", f"            var raw = default(Native.{name});",
                   f"            Functions.{s.name}_init((IntPtr)(&raw), (UIntPtr)sizeof(Native.{name}));"]
         for f in fields:
             if f.role == "scalar":

@@ -108,7 +108,7 @@ def make_wheel(library, out):
     (stage / "pyproject.toml").write_text(
         f'[build-system]\nrequires = ["setuptools>=61", "wheel"]\nbuild-backend = "setuptools.build_meta"\n\n[project]\nname = "mien"\n'
         f'version = "{VERSION}"\ndescription = "{ABOUT}"\nrequires-python = ">=3.9"\ndependencies = ["numpy"]\nlicense = {{text = "Apache-2.0"}}\n\n'
-        '[tool.setuptools]\npackages = ["mien", "mien.classes"]\n\n[tool.setuptools.package-data]\nmien = ["native/*"]\n')
+        '[tool.setuptools]\npackages = ["mien", "mien.classes"]\n\n[tool.setuptools.package-data]\nmien = ["native/*", "py.typed"]\n')
     run(python, "-m", "pip", "wheel", "--quiet", "--no-index", "--no-deps", "--no-build-isolation", "-w", out, stage)
     shutil.rmtree(stage)
     return str(next(out.glob("mien-*.whl")))

@@ -1316,6 +1316,7 @@ namespace Mien.Native
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_visits_release(IntPtr visits);
 #else
+        static Functions() { } // at the first use and not before: Library.Need() has looked then
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         internal delegate IntPtr mien_status_name_function(int status);
         internal static readonly mien_status_name_function mien_status_name = Library.Function<mien_status_name_function>("mien_status_name");

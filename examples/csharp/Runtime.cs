@@ -4,6 +4,7 @@ using System;
 using System.Buffers;
 using System.Collections.Generic;
 using System.IO;
+using System.Runtime.ExceptionServices;
 using System.Runtime.InteropServices;
 using System.Text;
 using System.Threading;
@@ -44,6 +45,15 @@ namespace Mien.Native
             if (address == IntPtr.Zero)
                 throw new EntryPointNotFoundException(loadedPath + " has no " + name + "(): it is older than this binding (" + Functions.Version + ")");
             return (T)(object)Marshal.GetDelegateForFunctionPointer(address, typeof(T));
+        }
+
+        /// <summary>Loads the library unless it is there; throws DllNotFoundException, after which another path may be set: the
+        /// table of functions, whose failure would be final, has not been made then.</summary>
+        internal static void Need()
+        {
+#if !MIEN_STATIC
+            Load();
+#endif
         }
 
         private static IntPtr Load()
@@ -234,6 +244,7 @@ namespace Mien
 
         internal Call()
         {
+            Library.Need();
             record = (Native.Error*)Room(sizeof(Native.Error));
             record->structSize = (uint)sizeof(Native.Error);
         }
@@ -433,7 +444,7 @@ namespace Mien
         internal void Check(int status)
         {
             if (status == (int)Status.Ok) return;
-            if (thrown != null) throw thrown;
+            if (thrown != null) ExceptionDispatchInfo.Capture(thrown).Throw(); // with where it was thrown
             var message = Mien.Text.FromNative((IntPtr)record->message);
             if (status == (int)Status.ECancelled) throw new OperationCanceledException(message, token);
             throw new MienException(status, record->detailIndex, message);

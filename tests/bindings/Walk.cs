@@ -1,5 +1,6 @@
-// Walks the public classes: walk FACE EXPRESSIONS SCAN DATASET FOLDER LAYOUT. Each method without arguments of each
-// object; the structs against the recorded layout of the C structs.
+// Walks the public classes: walk FACE EXPRESSIONS SCAN DATASET FOLDER LAYOUT LIBRARY. Each method without arguments of each
+// object; the structs against the recorded layout of the C structs; that the library is found where it is said to be while
+// the program runs, that long calls are awaited, told of and cancelled, and that what nobody disposes is given back.
 using System;
 using System.Collections.Generic;
 using System.IO;
@@ -7,6 +8,7 @@ using System.Linq;
 using System.Reflection;
 using System.Runtime.InteropServices;
 using System.Threading;
+using System.Threading.Tasks;
 using Mien;
 
 public static class Walk
@@ -28,19 +30,47 @@ public static class Walk
         void IProgress<Progress>.Report(Progress value) { Then(); }
     }
 
-    private static Mesh Grid(Session session)
+    /// A sheet of 12 x 12 vertices, bent by who it is and by an expression.
+    private static double[] SmallFace(int person, int grin)
     {
         var places = new double[3 * 144];
+        for (var v = 0; v < 144; ++v)
+        {
+            double x = v % 12, y = v / 12;
+            places[3 * v] = x;
+            places[3 * v + 1] = y;
+            places[3 * v + 2] = x * y / 40.0 + 0.2 * person * Math.Sin(0.5 * x + person) + 0.3 * grin * Math.Cos(0.4 * y);
+        }
+        return places;
+    }
+
+    private static Mesh Grid(Session session)
+    {
+        var places = SmallFace(0, 0);
         var corners = new List<uint>();
         for (var v = 0; v < 144; ++v)
         {
             int x = v % 12, y = v / 12;
-            places[3 * v] = x;
-            places[3 * v + 1] = y;
-            places[3 * v + 2] = x * y / 40.0;
             if (x < 11 && y < 11) corners.AddRange(new[] { v, v + 1, v + 12, v + 1, v + 13, v + 12 }.Select(i => (uint)i));
         }
         return Mesh.Create(session, new MeshArrays { Positions = places, Triangles = corners.ToArray(), Colors = new byte[places.Length] });
+    }
+
+    /// What is learned from small faces.
+    private static void KeepSmall(Session session, Mesh small, string faces, string folder)
+    {
+        var few = ExpressionModel.Train(session, faces, new TrainOptions { IdentityModes = 3, ExpressionModes = 1 });
+        Keep(session.EvaluateNeutralization(few, faces));
+        Keep(BlendshapeModel.Train(session, faces, "grin"));
+        var grades = Enumerable.Range(0, 24).Select(k => 0.5 * k).ToArray();
+        Keep(ScoreModel.Train(session, faces, grades, new ScoreOptions { Folds = 4, CurvatureShare = 0 }));
+        Keep(Model.Tune(session, small, faces, new TuneOptions { SigmasMm = new[] { 5.0 }, NumModes = 6 }));
+        Keep(Network.Load(session, Path.Combine(folder, "walk_network.safetensors")));
+        var zones = new[] { new Zone { Name = "some", Vertices = Enumerable.Range(0, 100).Select(i => (uint)i).ToArray() } };
+        Keep(Study.CreateFromMeshes(session, new[] { small, small }, options: new StudyOptions { Zones = zones, StableZones = new[] { "some" } }));
+        var picked = Path.Combine(folder, "walk_landmarks.json");
+        File.WriteAllText(picked, "{\"vertices\": {\"pronasale\": 70, \"subnasale\": 40, \"gnathion\": 6}}");
+        Keep(Norms.Create(session, faces, Landmarks.Load(session, picked)));
     }
 
     private static int CallAll()
@@ -87,8 +117,84 @@ public static class Walk
         return compared;
     }
 
+    /// A path that leads nowhere is told in words, and another one may be set then.
+    private static void FindLibrary(string path)
+    {
+        Settings.LibraryPath = path + ".absent";
+        foreach (var use in new Action[] { () => new SessionOptions(), () => new Session(), () => Information.VersionString() })
+        {
+            try { use(); }
+            catch (DllNotFoundException told)
+            {
+                Require(told.Message.Contains(path + ".absent") && told.Message.Contains("Mien.Settings.LibraryPath"), told.Message);
+                continue;
+            }
+            throw new Exception("a library that is not there was loaded");
+        }
+        Settings.LibraryPath = path;
+    }
+
+    private sealed class Stages : IProgress<Progress>
+    {
+        public readonly List<Progress> Told = new List<Progress>();
+        void IProgress<Progress>.Report(Progress value) { lock (Told) Told.Add(value); }
+    }
+
+    /// A long call away from this thread: awaited, told of, cancelled in the middle and before it begins.
+    private static async Task Await(Session session, Model face, Mesh scan)
+    {
+        var options = new RegisterOptions { Iterations = 2, CloseGap = 0 };
+        var stages = new Stages();
+        using (var fitted = await session.RegisterAsync(face, scan, options, stages, new CancellationTokenSource().Token))
+            Require(fitted.GetMesh().GetCounts().VertexCount > 0, "an awaited call brings its result");
+        Require(stages.Told.Count > 2 && stages.Told.All(p => p.Fraction >= 0 && p.Fraction <= 1), "progress of an awaited call");
+        foreach (var early in new[] { true, false })
+            using (var source = new CancellationTokenSource())
+            {
+                if (early) source.Cancel();
+                try { (await session.RegisterAsync(face, scan, options, new Report { Then = source.Cancel }, source.Token)).Dispose(); }
+                catch (OperationCanceledException) { continue; }
+                throw new Exception("a cancelled call came to its end");
+            }
+    }
+
+    /// For compilers ahead of time: whatever native code calls is a static method that says so.
+    private static int CheckCallbacks()
+    {
+        var count = 0;
+        foreach (var type in Assembly.GetExecutingAssembly().GetTypes().Where(t => t.Namespace == "Mien" || t.Namespace == "Mien.Native"))
+            foreach (var field in type.GetFields(BindingFlags.Static | BindingFlags.NonPublic | BindingFlags.Public))
+            {
+                if (field.Name[0] == '<' || !typeof(Delegate).IsAssignableFrom(field.FieldType) || field.FieldType.DeclaringType != type) continue;
+                if (!field.FieldType.IsDefined(typeof(UnmanagedFunctionPointerAttribute), false)) continue;
+                var method = ((Delegate)field.GetValue(null)).Method;
+                if (!method.DeclaringType.Namespace.StartsWith("Mien")) continue; // a native function
+                Require(method.IsStatic && method.CustomAttributes.Any(t => t.AttributeType.Name == "MonoPInvokeCallbackAttribute"), method + " has no MonoPInvokeCallback");
+                ++count;
+            }
+        return count;
+    }
+
+    /// What nobody disposes goes with the garbage: far more than would fit beside it.
+    private static void LeaveToGarbage(Session session)
+    {
+        var places = new double[3 * 100000];
+        for (var k = 0; k < places.Length; ++k) places[k] = k % 977;
+        Func<long> resident = () => File.Exists("/proc/self/statm") ? 4096L * long.Parse(File.ReadAllText("/proc/self/statm").Split(' ')[1]) : 0;
+        var before = resident();
+        for (var k = 0; k < 200; ++k)
+        {
+            Mesh.Create(session, new MeshArrays { Positions = places });
+            if (k % 20 != 19) continue;
+            GC.Collect();
+            GC.WaitForPendingFinalizers();
+        }
+        Require(resident() - before < 240L << 20, "meshes that nobody holds were not given back: " + (resident() - before) + " bytes more");
+    }
+
     public static void Main(string[] a)
     {
+        FindLibrary(a[6]);
         var session = Keep(new Session(new SessionOptions { NumThreads = 2, Log = (level, text) => { } }));
         Keep(new Cancel());
         var face = Keep(Model.Load(session, a[0]));
@@ -107,8 +213,19 @@ public static class Walk
         Keep(Hierarchy.BuildQuadric(session, small, 1, 2.0));
         Keep(Representation.Train(session, a[3], Features.Euclidean, 1));
         var writer = Keep(DatasetWriter.Create(session, small, new[] { "neutral", "grin" }));
-        writer.Add(small.GetPositions(), 0, 0);
-        writer.Save(session, Path.Combine(a[4], "walk.safetensors"));
+        for (var k = 0; k < 24; ++k) writer.Add(SmallFace(k / 2, k % 2), k / 2, k % 2);
+        var faces = Path.Combine(a[4], "walk.safetensors");
+        writer.Save(session, faces);
+        KeepSmall(session, small, faces, a[4]);
+        var named = Keep(face.GetLandmarks());
+        Keep(face.GetZones());
+        Keep(session.MeasureAnthropometry(template, named));
+        Keep(ReadyScan.Create(session, scan));
+        var batch = Keep(Batch.Create(session, face));
+        batch.Add(session, scan, new RegisterOptions { Iterations = 1, CloseGap = 0 });
+        batch.Run(session);
+        Require(batch.GetCounts().RunCount == 1, "a batch of one");
+        Keep(Follower.Create(session, face, fitted));
         var called = CallAll();
 
         var view = template.GetPositionsView();
@@ -125,7 +242,14 @@ public static class Walk
         Refuses<DivideByZeroException>(() => session.Register(again, scan, null, new Report { Then = () => { throw new DivideByZeroException(); } }));
         var source = new CancellationTokenSource();
         Refuses<OperationCanceledException>(() => session.Register(again, scan, null, new Report { Then = source.Cancel }, source.Token));
-        Require(Live.Count >= 14, "walked only " + string.Join(", ", Live.Keys));
-        Console.WriteLine("walked " + Live.Count + " classes (" + called + " methods), " + CompareLayout(a[5]) + " facts of the layout agree, version " + Information.VersionString());
+        Await(session, again, scan).Wait();
+        var callbacks = CheckCallbacks();
+        Require(callbacks == 2, callbacks + " callbacks");
+        LeaveToGarbage(session);
+        Require(typeof(SafeHandle).IsAssignableFrom(typeof(Mien.Native.NativeHandle)), "handles are SafeHandles");
+        var classes = typeof(NativeObject).Assembly.GetTypes().Where(t => t.IsSubclassOf(typeof(NativeObject))).ToArray();
+        var others = classes.Where(t => !Live.ContainsKey(t.Name)).Select(t => t.Name).ToArray();
+        Require(others.Length == 0, "not walked: " + string.Join(", ", others));
+        Console.WriteLine("walked " + Live.Count + " of " + classes.Length + " classes (" + called + " methods), " + CompareLayout(a[5]) + " facts of the layout agree, awaited and cancelled calls, version " + Information.VersionString());
     }
 }

@@ -13,6 +13,7 @@ namespace Mien
         /// <summary>With the library's defaults.</summary>
         public AnthropometryOptions()
         {
+            Library.Need();
             var raw = default(Native.AnthropometryOptions);
             Functions.mien_anthropometry_options_init((IntPtr)(&raw), (UIntPtr)sizeof(Native.AnthropometryOptions));
             SlideCorrelationMm = raw.slideCorrelationMm;

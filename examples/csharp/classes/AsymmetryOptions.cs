@@ -13,6 +13,7 @@ namespace Mien
         /// <summary>With the library's defaults.</summary>
         public AsymmetryOptions()
         {
+            Library.Need();
             var raw = default(Native.AsymmetryOptions);
             Functions.mien_asymmetry_options_init((IntPtr)(&raw), (UIntPtr)sizeof(Native.AsymmetryOptions));
             Plane = (MirrorBy)raw.plane;

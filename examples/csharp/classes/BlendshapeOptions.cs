@@ -13,6 +13,7 @@ namespace Mien
         /// <summary>With the library's defaults.</summary>
         public BlendshapeOptions()
         {
+            Library.Need();
             var raw = default(Native.BlendshapeOptions);
             Functions.mien_blendshape_options_init((IntPtr)(&raw), (UIntPtr)sizeof(Native.BlendshapeOptions));
             Ridge = raw.ridge;

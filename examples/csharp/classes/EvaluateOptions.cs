@@ -13,6 +13,7 @@ namespace Mien
         /// <summary>With the library's defaults.</summary>
         public EvaluateOptions()
         {
+            Library.Need();
             var raw = default(Native.EvaluateOptions);
             Functions.mien_evaluate_options_init((IntPtr)(&raw), (UIntPtr)sizeof(Native.EvaluateOptions));
             Method = (Fit)raw.method;

@@ -13,6 +13,7 @@ namespace Mien
         /// <summary>With the library's defaults.</summary>
         public FollowOptions()
         {
+            Library.Need();
             var raw = default(Native.FollowOptions);
             Functions.mien_follow_options_init((IntPtr)(&raw), (UIntPtr)sizeof(Native.FollowOptions));
             Rounds = raw.rounds;

@@ -13,6 +13,7 @@ namespace Mien
         /// <summary>With the library's defaults.</summary>
         public GeodesicOptions()
         {
+            Library.Need();
             var raw = default(Native.GeodesicOptions);
             Functions.mien_geodesic_options_init((IntPtr)(&raw), (UIntPtr)sizeof(Native.GeodesicOptions));
             HeatBoundary = (Heat)raw.heatBoundary;

@@ -13,6 +13,7 @@ namespace Mien
         /// <summary>With the library's defaults.</summary>
         public MeasureOptions()
         {
+            Library.Need();
             var raw = default(Native.MeasureOptions);
             Functions.mien_measure_options_init((IntPtr)(&raw), (UIntPtr)sizeof(Native.MeasureOptions));
             SkipBorders = raw.skipBorders;

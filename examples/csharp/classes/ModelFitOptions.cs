@@ -13,6 +13,7 @@ namespace Mien
         /// <summary>With the library's defaults.</summary>
         public ModelFitOptions()
         {
+            Library.Need();
             var raw = default(Native.ModelFitOptions);
             Functions.mien_model_fit_options_init((IntPtr)(&raw), (UIntPtr)sizeof(Native.ModelFitOptions));
             Align = raw.align;

@@ -13,6 +13,7 @@ namespace Mien
         /// <summary>With the library's defaults.</summary>
         public ModelOptions()
         {
+            Library.Need();
             var raw = default(Native.ModelOptions);
             Functions.mien_model_options_init((IntPtr)(&raw), (UIntPtr)sizeof(Native.ModelOptions));
             Kernel = (KernelKind)raw.kernel;

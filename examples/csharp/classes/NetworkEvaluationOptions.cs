@@ -13,6 +13,7 @@ namespace Mien
         /// <summary>With the library's defaults.</summary>
         public NetworkEvaluationOptions()
         {
+            Library.Need();
             var raw = default(Native.NetworkEvaluationOptions);
             Functions.mien_network_evaluation_options_init((IntPtr)(&raw), (UIntPtr)sizeof(Native.NetworkEvaluationOptions));
             NeutralOnly = raw.neutralOnly;

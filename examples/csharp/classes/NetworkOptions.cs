@@ -13,6 +13,7 @@ namespace Mien
         /// <summary>With the library's defaults.</summary>
         public NetworkOptions()
         {
+            Library.Need();
             var raw = default(Native.NetworkOptions);
             Functions.mien_network_options_init((IntPtr)(&raw), (UIntPtr)sizeof(Native.NetworkOptions));
             BandLimit = raw.bandLimit;

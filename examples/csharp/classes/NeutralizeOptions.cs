@@ -13,6 +13,7 @@ namespace Mien
         /// <summary>With the library's defaults.</summary>
         public NeutralizeOptions()
         {
+            Library.Need();
             var raw = default(Native.NeutralizeOptions);
             Functions.mien_neutralize_options_init((IntPtr)(&raw), (UIntPtr)sizeof(Native.NeutralizeOptions));
             Method = (Fit)raw.method;

@@ -13,6 +13,7 @@ namespace Mien
         /// <summary>With the library's defaults.</summary>
         public RegisterOptions()
         {
+            Library.Need();
             var raw = default(Native.RegisterOptions);
             Functions.mien_register_options_init((IntPtr)(&raw), (UIntPtr)sizeof(Native.RegisterOptions));
             Growth = (Growth)raw.growth;

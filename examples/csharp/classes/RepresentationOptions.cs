@@ -13,6 +13,7 @@ namespace Mien
         /// <summary>With the library's defaults.</summary>
         public RepresentationOptions()
         {
+            Library.Need();
             var raw = default(Native.RepresentationOptions);
             Functions.mien_representation_options_init((IntPtr)(&raw), (UIntPtr)sizeof(Native.RepresentationOptions));
             NeutralOnly = raw.neutralOnly;

@@ -13,6 +13,7 @@ namespace Mien
         /// <summary>With the library's defaults.</summary>
         public ScoreOptions()
         {
+            Library.Need();
             var raw = default(Native.ScoreOptions);
             Functions.mien_score_options_init((IntPtr)(&raw), (UIntPtr)sizeof(Native.ScoreOptions));
             Method = (Pls)raw.method;

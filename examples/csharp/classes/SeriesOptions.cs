@@ -13,6 +13,7 @@ namespace Mien
         /// <summary>With the library's defaults.</summary>
         public SeriesOptions()
         {
+            Library.Need();
             var raw = default(Native.SeriesOptions);
             Functions.mien_series_options_init((IntPtr)(&raw), (UIntPtr)sizeof(Native.SeriesOptions));
             Method = (Fit)raw.method;

@@ -13,6 +13,7 @@ namespace Mien
         /// <summary>With the library's defaults.</summary>
         public SessionOptions()
         {
+            Library.Need();
             var raw = default(Native.SessionOptions);
             Functions.mien_session_options_init((IntPtr)(&raw), (UIntPtr)sizeof(Native.SessionOptions));
             NumThreads = raw.numThreads;

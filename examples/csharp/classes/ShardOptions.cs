@@ -13,6 +13,7 @@ namespace Mien
         /// <summary>With the library's defaults.</summary>
         public ShardOptions()
         {
+            Library.Need();
             var raw = default(Native.ShardOptions);
             Functions.mien_shard_options_init((IntPtr)(&raw), (UIntPtr)sizeof(Native.ShardOptions));
             Part = raw.part;

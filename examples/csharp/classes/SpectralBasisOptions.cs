@@ -13,6 +13,7 @@ namespace Mien
         /// <summary>With the library's defaults.</summary>
         public SpectralBasisOptions()
         {
+            Library.Need();
             var raw = default(Native.SpectralBasisOptions);
             Functions.mien_spectral_basis_options_init((IntPtr)(&raw), (UIntPtr)sizeof(Native.SpectralBasisOptions));
             ModeCount = raw.modeCount;

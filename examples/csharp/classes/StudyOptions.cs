@@ -13,6 +13,7 @@ namespace Mien
         /// <summary>With the library's defaults.</summary>
         public StudyOptions()
         {
+            Library.Need();
             var raw = default(Native.StudyOptions);
             Functions.mien_study_options_init((IntPtr)(&raw), (UIntPtr)sizeof(Native.StudyOptions));
             MarginMm = raw.marginMm;

@@ -13,6 +13,7 @@ namespace Mien
         /// <summary>With the library's defaults.</summary>
         public TrainOptions()
         {
+            Library.Need();
             var raw = default(Native.TrainOptions);
             Functions.mien_train_options_init((IntPtr)(&raw), (UIntPtr)sizeof(Native.TrainOptions));
             Method = (Train)raw.method;

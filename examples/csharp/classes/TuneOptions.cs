@@ -13,6 +13,7 @@ namespace Mien
         /// <summary>With the library's defaults.</summary>
         public TuneOptions()
         {
+            Library.Need();
             var raw = default(Native.TuneOptions);
             Functions.mien_tune_options_init((IntPtr)(&raw), (UIntPtr)sizeof(Native.TuneOptions));
             Kernel = (KernelKind)raw.kernel;

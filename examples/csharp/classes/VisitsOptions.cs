@@ -13,6 +13,7 @@ namespace Mien
         /// <summary>With the library's defaults.</summary>
         public VisitsOptions()
         {
+            Library.Need();
             var raw = default(Native.VisitsOptions);
             Functions.mien_visits_options_init((IntPtr)(&raw), (UIntPtr)sizeof(Native.VisitsOptions));
             Pose = (Pose)raw.pose;
