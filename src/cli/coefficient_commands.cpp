@@ -65,6 +65,10 @@ struct FitCommand {
 void run_fit(FitCommand& o) {
     if (o.target.empty() == o.record.empty())
         throw CLI::ValidationError("model fit", "give either --target or --fit");
+    const bool has_residual = !o.target.empty() && !o.settings.align;
+    if (!o.picture.empty() && !has_residual)
+        throw CLI::ValidationError("--picture",
+                                   "shows a residual, which --align and --fit have not");
     const Session session(o.common.num_threads);
     const Model model(session, o.model);
     if (!o.weights.empty()) o.settings.weights = read_weights(o.weights, "weight");
@@ -82,15 +86,12 @@ void run_fit(FitCommand& o) {
     report["norm"] = std::sqrt(square);
     report["ridge_mm2"] = o.settings.ridge_mm2;
     std::printf("%zu coefficients, norm %.4g\n", values.size(), std::sqrt(square));
-    if (!o.target.empty() && !o.settings.align) {
+    if (has_residual) {
         const std::vector<double> residual = distances_to(face, Mesh(session, o.target));
         const FieldSummary summary = summary_of(residual);
         report["residual_mm"] = summary_json(summary);
         std::printf("residual: mean %.4g mm, largest %.4g mm\n", summary.mean, summary.most);
         draw_field(o.picture, face, residual, {"residual, mm", "", false, 0.0, {}});
-    } else if (!o.picture.empty()) {
-        throw CLI::ValidationError("--picture",
-                                   "shows a residual, which --align and --fit have not");
     }
     if (!o.out.empty()) write_json(o.out, coefficients_json(values, model.scalar_modes()));
     if (!o.mesh_out.empty()) face.save(session, o.mesh_out);

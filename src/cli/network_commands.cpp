@@ -269,7 +269,8 @@ void add_network_mix(CLI::App* network, const NetworkSettings& settings) {
     mix->add_option("--weights", settings->weights,
                     "how far towards the second face: one number, or one each for the low and the "
                     "high band")
-        ->required();
+        ->required()
+        ->delimiter(',');
     mix->add_option("--out", settings->out, "mesh")->required();
     mix->footer(
         "Example: mien network mix --network bands.safetensors --in a.ply --with b.ply --weights 0 "

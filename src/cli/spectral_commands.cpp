@@ -149,10 +149,13 @@ void add_bands(CLI::App& group) {
                   });
     sub->add_option("--basis", c->basis, "Basis file")->required();
     sub->add_option("--in", c->in, "Face")->required();
-    sub->add_option("--limits", c->limits, "Ascending mode numbers between the bands")->required();
+    sub->add_option("--limits", c->limits, "Ascending mode numbers between the bands")
+        ->required()
+        ->delimiter(',');
     sub->add_option("--gains", c->values,
                     "One gain a band; the last band is all beyond the last limit")
-        ->required();
+        ->required()
+        ->delimiter(',');
     sub->add_option("--out", c->out, "Mesh to write")->required();
 }
 
@@ -187,8 +190,9 @@ void add_band_mix(CLI::App& group) {
     sub->add_option("--in", d->in, "First face, weight 0")->required();
     sub->add_option("--with", d->other, "Second face, weight 1")->required();
     sub->add_option("--limits", d->limits, "Ascending mode numbers between the bands")
-        ->excludes(trained);
-    sub->add_option("--weights", d->values, "One weight a band")->required();
+        ->excludes(trained)
+        ->delimiter(',');
+    sub->add_option("--weights", d->values, "One weight a band")->required()->delimiter(',');
     sub->add_option("--out", d->out, "Mesh to write")->required();
 }
 
@@ -489,7 +493,9 @@ void add_transfer(CLI::App& app) {
         transfer_by_networks(*a, Session(a->common.num_threads), k->empty());
     });
     sub->add_option("--validate", a->validate, "Dataset of other subjects on which k is chosen");
-    sub->add_option("--candidates", a->candidates, "Values of k to try")->capture_default_str();
+    sub->add_option("--candidates", a->candidates, "Values of k to try, blanks or commas between")
+        ->capture_default_str()
+        ->delimiter(',');
     sub->add_option(
         "--plot", a->picture,
         "PNG of L1 against FMPD and DAME with the Pareto fronts and the mean displacement");

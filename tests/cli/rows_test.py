@@ -116,6 +116,12 @@ class Models(unittest.TestCase):
         must("model", "synthesize", WORK / "face.safetensors", "--coefficients", WORK / "alpha.json", "--out", WORK / "third.ply")
         self.assertLess(farthest(WORK / "again.ply", WORK / "third.ply"), 1e-4)
         self.assertEqual((WORK / "residual.png").read_bytes()[:8], PNG)
+        # A picture that cannot be is refused before anything is written or printed.
+        for arguments in (("--target", WORK / "samples/sample_000.ply", "--align"), ("--fit", WORK / "fit.safetensors")):
+            status, out, err = run("model", "fit", WORK / "face.safetensors", *arguments, "--out", WORK / "none.json", "--picture", WORK / "none.png")
+            self.assertEqual((status, out), (2, ""))
+            self.assertIn("--picture", err)
+            self.assertFalse((WORK / "none.json").exists() or (WORK / "none.png").exists())
         # A ridge shrinks; a kept registration has coefficients too.
         must("model", "fit", WORK / "face.safetensors", "--target", WORK / "samples/sample_000.ply", "--ridge", "500", "--json",
              WORK / "stiff.json")
@@ -269,7 +275,8 @@ class Blendshapes(unittest.TestCase):
         self.assertLess(abs(report["mean_displacement"]["l1_mm"] / l1 - 1), 0.1)
         # A model from a file has no faces to take the mean of.
         must("transfer-expression", "--model", WORK / "grin.safetensors", "--expression", "grin", "--basis",
-             WORK / "bands.safetensors", "--validate", test, "--candidates", "0", "10", "--json", WORK / "again.json")
+             WORK / "bands.safetensors", "--validate", test, "--candidates", "0,10", "--json", WORK / "again.json")
+        self.assertEqual([row["k"] for row in read(WORK / "again.json")["search"]], [0, 10])
         self.assertIsNone(read(WORK / "again.json")["mean_displacement"])
 
 
