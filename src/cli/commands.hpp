@@ -3,17 +3,31 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <memory>
 #include <mien/mien.hpp>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 namespace mien::cli {
 
-/// A session whose warnings (a missing texture image, points that were dropped) go to stderr.
+/// What a session had to say beside its results, in order; from whichever thread.
+struct SessionWarnings {
+    std::mutex guard;
+    std::vector<std::string> texts;
+};
+
+/// A session whose warnings (a missing texture image, points that were dropped) go to stderr, and
+/// are kept for whoever shows them again.
 class Session : public mien::Session {
   public:
     explicit Session(int num_threads = 1);
+    std::vector<std::string> warnings() const;
+
+  private:
+    Session(std::shared_ptr<SessionWarnings> told, int num_threads);
+    std::shared_ptr<SessionWarnings> told_;
 };
 
 /// Options that every command has.
@@ -47,8 +61,9 @@ struct NamedPoint {
 std::vector<NamedPoint> read_landmark_points(const std::string& path);
 /// The same of a list that was read from `path`.
 std::vector<NamedPoint> picked_points(const Landmarks& landmarks, const std::string& path);
-/// One line on stderr when a model does not know some of the landmarks.
-void warn_of_unknown_landmarks(const Landmarks& matched, const std::string& path);
+/// One line on stderr when a model does not know some of the landmarks; returns it without the
+/// file's name, or empty text.
+std::string warn_of_unknown_landmarks(const Landmarks& matched, const std::string& path);
 /// Landmark files of a template: vertex numbers.
 std::vector<std::pair<std::string, std::uint32_t>> read_landmark_vertices(const std::string& path);
 /// Zone files {"zones": {name: [vertex, ...]}}; `beside`: names of lists that may stand beside

@@ -68,13 +68,29 @@ std::uint32_t as_vertex(const nlohmann::json& value, const std::string& path,
     return value.get<std::uint32_t>();
 }
 
-void MIEN_CALL print_warning(void*, std::int32_t level, const char* message) {
-    if (level <= MIEN_LOG_WARNING) std::fprintf(stderr, "mien: %s\n", message);
+/// Called through C: must not throw.
+void MIEN_CALL print_warning(void* told, std::int32_t level, const char* message) {
+    if (level > MIEN_LOG_WARNING) return;
+    std::fprintf(stderr, "mien: %s\n", message);
+    try {
+        auto& warnings = *static_cast<SessionWarnings*>(told);
+        const std::lock_guard<std::mutex> lock(warnings.guard);
+        warnings.texts.emplace_back(message);
+    } catch (...) {  // no memory for a copy: it was printed
+    }
 }
 
 }  // namespace
 
-Session::Session(int num_threads) : mien::Session(num_threads, 0, &print_warning) {}
+Session::Session(int num_threads) : Session(std::make_shared<SessionWarnings>(), num_threads) {}
+
+Session::Session(std::shared_ptr<SessionWarnings> told, int num_threads)
+    : mien::Session(num_threads, 0, &print_warning, told.get()), told_(std::move(told)) {}
+
+std::vector<std::string> Session::warnings() const {
+    const std::lock_guard<std::mutex> lock(told_->guard);
+    return told_->texts;
+}
 
 void add_common_options(CLI::App& command, Common& common, bool with_seed) {
     command

@@ -117,10 +117,12 @@ RegisterOptions register_options(const FitArguments& arguments) {
 nlohmann::json add_landmarks(const Session& session, const Model& model, const std::string& path,
                              RegisterOptions& options) {
     const Landmarks matched = Landmarks(session, path).match(model);
-    warn_of_unknown_landmarks(matched, path);
+    const std::string warning = warn_of_unknown_landmarks(matched, path);
     for (const NamedPoint& point : picked_points(matched, path))
         options.landmarks.push_back({point.name, point.point});
     nlohmann::json report = nlohmann::json::parse(matched.json());
+    report["warnings"] = nlohmann::json::array();
+    if (!warning.empty()) report["warnings"].push_back(warning);
     // A fit without landmarks is another fit than the one that was asked for.
     if (options.landmarks.empty())
         throw std::runtime_error(

@@ -42,15 +42,17 @@ void run_convert(const ConvertArguments& arguments) {
 
 }  // namespace
 
-void warn_of_unknown_landmarks(const Landmarks& matched, const std::string& path) {
+std::string warn_of_unknown_landmarks(const Landmarks& matched, const std::string& path) {
     constexpr std::size_t kNamed = 5;
     const nlohmann::json report = nlohmann::json::parse(matched.json());
     const nlohmann::json& unknown = report["unknown"];
     // Of MediaPipe's 468 points most have no counterpart: that is no mistake of the file.
-    if (unknown.empty() || report["scheme"] == "MediaPipe") return;
-    std::fprintf(stderr,
-                 "mien: warning: %s: %zu landmarks are unknown to the model and left out: %s\n",
-                 path.c_str(), unknown.size(), joined(unknown, kNamed).c_str());
+    if (unknown.empty() || report["scheme"] == "MediaPipe") return "";
+    const std::string text =
+        std::to_string(unknown.size()) +
+        " landmarks are unknown to the model and left out: " + joined(unknown, kNamed);
+    std::fprintf(stderr, "mien: warning: %s: %s\n", path.c_str(), text.c_str());
+    return text;
 }
 
 std::vector<NamedPoint> picked_points(const Landmarks& landmarks, const std::string& path) {

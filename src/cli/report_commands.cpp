@@ -47,7 +47,8 @@ struct Measured {
     std::vector<std::vector<std::uint32_t>> treated;  ///< vertices of the treated zones
     std::vector<std::int32_t> zones;                  ///< of the study, in the order of the tables
     nlohmann::json told;                              ///< by the study
-    std::vector<std::vector<std::string>> warnings;   ///< of each visit against the first
+    std::vector<std::vector<std::string>> warnings;   ///< of each visit: its fit, then itself
+                                                      ///< against the first
     const nlohmann::json& recipe() const { return told["recipe"]; }
     /// Why a zone's change has no interval; empty: it has one.
     std::string unknown(std::size_t visit, std::int32_t zone) const {
@@ -123,11 +124,14 @@ Measured measure(const Session& session, const ReportSettings& settings) {
     warn_of_unit(session, {first, result.visits[0].name});
     for (std::size_t k = 1; k < result.visits.size(); ++k) check_same_unit(first, mesh_of(k));
     result.study = std::make_unique<Study>(session, registrations, expressions.get(), options);
-    result.warnings.resize(1);
-    for (std::size_t k = 1; k < result.visits.size(); ++k)
-        result.warnings.push_back(check_visits(
-            session, {first, result.visits[0].name}, {mesh_of(k), result.visits[k].name},
-            result.study->alignment(0, static_cast<std::int32_t>(k)).rms_mm));
+    for (std::size_t k = 0; k < result.visits.size(); ++k) {
+        result.warnings.push_back(result.fits[result.first_of[k]].warnings);
+        if (k == 0) continue;
+        for (std::string& warning : check_visits(
+                 session, {first, result.visits[0].name}, {mesh_of(k), result.visits[k].name},
+                 result.study->alignment(0, static_cast<std::int32_t>(k)).rms_mm))
+            result.warnings.back().push_back(std::move(warning));
+    }
     if (result.study->zone_count() == 0)
         throw CLI::RequiredError("--zones (the fits know of no zone)");
     result.treated = treated_vertices(settings, options, model.get());
@@ -272,6 +276,10 @@ ReportVisit visit_page(const Session& session, const Words& words, const Measure
     visit.fields = given.file.fields;
     visit.good = fit.good();
     visit.reasons = fit.reasons();
+    visit.reasons.insert(visit.reasons.end(), m.warnings[k].begin(), m.warnings[k].end());
+    const double unit_mm = fit.report.is_object() ? fit.report.value("unit_to_mm", 1.0) : 1.0;
+    if (unit_mm != 1)
+        visit.reasons.push_back(words("unit_taken", {words.number(short_number(unit_mm))}));
     visit.verdict = verdict_in_words(words, fit);
     if (given.captures.size() > 1)
         visit.verdict += "; " + words("captures", {std::to_string(given.captures.size())});
@@ -312,7 +320,9 @@ nlohmann::json describe(const Session& session, const Measured& m, ReportPage& p
                              {"scan_sha256", session.hash_file(capture.mesh)},
                              {"captures", m.visits[k].captures.size()},
                              {"registration", fits[k]->report},
-                             {"warnings", m.warnings[k]}};
+                             {"warnings", nlohmann::json::array()}};
+        for (const std::string& warning : m.warnings[k])
+            entry["warnings"].push_back(valid_utf8(warning));
         if (m.recipe()["expressions_removed"]) entry["expression"] = m.study->expression(number);
         if (k > 0) {
             entry["alignment_rms_mm"] = m.study->alignment(0, number).rms_mm;

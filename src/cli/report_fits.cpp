@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "fit_options.hpp"
 #include "report_words.hpp"
 
 namespace mien::cli {
@@ -64,7 +65,7 @@ std::vector<double> values_of(const nlohmann::json& file, const std::string& pat
 
 Fitted described(Registration fit, std::string scan) {
     nlohmann::json report = nlohmann::json::parse(fit.json());
-    return {std::move(fit), true, std::move(report), std::move(scan)};
+    return {std::move(fit), true, std::move(report), std::move(scan), {}};
 }
 
 std::int32_t quality_called(const std::string& name) {
@@ -157,13 +158,21 @@ bool is_record(const std::string& path) {
 Fitted fit_scan(const Session& session, const Model& model, const Capture& capture,
                 const VisitFile& visit) {
     if (is_record(capture.mesh)) return described(Registration(session, capture.mesh), visit.scan);
-    RegisterOptions options;
-    if (!capture.landmarks.empty())
-        for (const NamedPoint& p : read_landmark_points(capture.landmarks))
-            options.landmarks.push_back({p.name, p.point});
+    RegisterOptions options = register_options({});
+    std::vector<std::string> warnings;
+    if (!capture.landmarks.empty()) {
+        const nlohmann::json landmarks = add_landmarks(session, model, capture.landmarks, options);
+        for (const nlohmann::json& warning : landmarks["warnings"])
+            warnings.push_back(warning.get<std::string>());
+    }
     options.progress = progress_bar();
-    return described(Registration(session, model, Mesh(session, capture.mesh), options),
-                     capture.mesh);
+    const std::size_t told = session.warnings().size();
+    Fitted fitted =
+        described(Registration(session, model, Mesh(session, capture.mesh), options), capture.mesh);
+    const std::vector<std::string> all = session.warnings();
+    warnings.insert(warnings.end(), all.begin() + static_cast<std::ptrdiff_t>(told), all.end());
+    fitted.warnings = std::move(warnings);
+    return fitted;
 }
 
 Fitted read_fitted(const Session& session, const Capture& capture, const VisitFile& visit,
@@ -176,7 +185,8 @@ Fitted read_fitted(const Session& session, const Capture& capture, const VisitFi
     if (!file.is_object() || !file.contains("weight")) {
         std::vector<double> sd;
         if (sd_mm) sd.assign(count, *sd_mm);
-        return {Registration(session, mesh, {}, {}, sd, MIEN_QUALITY_GOOD), false, {}, visit.scan};
+        return {
+            Registration(session, mesh, {}, {}, sd, MIEN_QUALITY_GOOD), false, {}, visit.scan, {}};
     }
     const auto values = [&](const char* key) {
         return values_of(file, capture.landmarks, key, count);
@@ -188,7 +198,10 @@ Fitted read_fitted(const Session& session, const Capture& capture, const VisitFi
         if (file.contains(key)) said[key] = file[key];
     return {Registration(session, mesh, values("weight"), values("residual_mm"),
                          values("standard_deviation_mm"), quality_called(quality)),
-            judged, std::move(said), visit.scan};
+            judged,
+            std::move(said),
+            visit.scan,
+            {}};
 }
 
 }  // namespace mien::cli

@@ -33,16 +33,17 @@ std::string patient_file(const std::string& folder);
 
 struct Fitted {
     Registration fit;
-    bool judged = true;     ///< false: fitted beforehand, without a verdict
-    nlohmann::json report;  ///< null for meshes that were fitted beforehand
-    std::string scan;       ///< the scan's file where it is known
+    bool judged = true;                 ///< false: fitted beforehand, without a verdict
+    nlohmann::json report;              ///< null for meshes that were fitted beforehand
+    std::string scan;                   ///< the scan's file where it is known
+    std::vector<std::string> warnings;  ///< of reading and registering it, as they were printed
     /// Judged, and good; or nothing was said against it.
     bool good() const;
     /// Why it is not good, and what was settled before it, as the library says it.
     std::vector<std::string> reasons() const;
 };
 
-/// Registers a scan.
+/// Registers a scan, as `mien register` does.
 Fitted fit_scan(const Session& session, const Model& model, const Capture& capture,
                 const VisitFile& visit);
 

@@ -124,6 +124,10 @@ inline constexpr ReportText kReportTexts[] = {
       "stabile Zone nach Ausrichtung {0} mm auseinander", "zone stable à {0} mm après alignement"}},
     {"captures", {"{0} captures", "{0} Aufnahmen", "{0} prises"}},
     {"reasons", {"Why", "Warum", "Pourquoi"}},
+    {"unit_taken",
+     {"one unit of the scan was taken for {0} mm",
+      "eine Einheit des Scans wurde für {0} mm genommen",
+      "une unité du scan a été prise pour {0} mm"}},
     {"how", {"How it was measured", "Wie gemessen wurde", "Comment c'est mesuré"}},
     {"how_fitted",
      {"Faces were fitted beforehand.", "Die Gesichter wurden vorher angepasst.",
@@ -254,139 +258,6 @@ inline constexpr ReportText kFieldNames[] = {
     {"operator", {"Operator", "Aufnahme durch", "Opérateur"}},
     {"device", {"Device", "Gerät", "Appareil"}},
     {"date", {"Date", "Datum", "Date"}},
-};
-
-/// What the library says; "*" stands for a number, a zone or a sentence of this table.
-inline constexpr ReportText kSentences[] = {
-    {"too little of the zone was seen in one of the visits",
-     {"too little of the zone was seen in one of the visits",
-      "zu wenig der Zone wurde bei einem der Besuche gesehen",
-      "trop peu de la zone a été vu à l'une des visites"}},
-    {"the fit of one of the visits failed",
-     {"the fit of one of the visits failed", "die Anpassung eines der Besuche ist misslungen",
-      "l'ajustement de l'une des visites a échoué"}},
-    {"the surfaces' errors are unknown",
-     {"the surfaces' errors are unknown", "die Fehler der Oberflächen sind nicht bekannt",
-      "les erreurs des surfaces sont inconnues"}},
-    {"the zone lies outside what the expression model covers",
-     {"the zone lies outside what the expression model covers",
-      "die Zone liegt außerhalb dessen, was das Ausdrucksmodell umfasst",
-      "la zone est hors de ce que couvre le modèle d'expressions"}},
-    {"the scan covers only a share of * of the template",
-     {"the scan covers only a share of {0} of the template",
-      "der Scan deckt nur einen Anteil von {0} der Vorlage ab",
-      "le scan ne couvre qu'une part de {0} du modèle"}},
-    {"only a share of * of the fitted vertices lies on the scan",
-     {"only a share of {0} of the fitted vertices lies on the scan",
-      "nur ein Anteil von {0} der angepassten Punkte liegt auf dem Scan",
-      "seule une part de {0} des points ajustés est sur le scan"}},
-    {"the fitted surface stays * mm away from the scan on average",
-     {"the fitted surface stays {0} mm away from the scan on average",
-      "die angepasste Oberfläche bleibt im Mittel {0} mm vom Scan entfernt",
-      "la surface ajustée reste en moyenne à {0} mm du scan"}},
-    {"the landmarks end * mm from the fitted ones",
-     {"the landmarks end {0} mm from the fitted ones",
-      "die Landmarken enden {0} mm neben den angepassten",
-      "les repères finissent à {0} mm de ceux ajustés"}},
-    {"the size is implausible (logarithm of the ratio to the template: *)",
-     {"the size is implausible (logarithm of the ratio to the template: {0})",
-      "die Größe ist unplausibel (Logarithmus des Verhältnisses zur Vorlage: {0})",
-      "la taille n'est pas plausible (logarithme du rapport au modèle : {0})"}},
-    {"the shape is implausible (* standard deviations of the prior)",
-     {"the shape is implausible ({0} standard deviations of the prior)",
-      "die Form ist unplausibel ({0} Standardabweichungen)",
-      "la forme n'est pas plausible ({0} écarts-types)"}},
-    {"* triangles are folded over",
-     {"{0} triangles are folded over", "{0} Dreiecke sind umgefaltet",
-      "{0} triangles sont repliés"}},
-    {"about * mm (* to *) off are expected of the *: *",
-     {"about {0} mm ({1} to {2}) off are expected of the {3}: {4}",
-      "etwa {0} mm ({1} bis {2}) daneben sind zu erwarten, {3}: {4}",
-      "environ {0} mm (de {1} à {2}) d'erreur attendus, {3} : {4}"}},
-    {"the scan does not show enough of it: scan the whole face, uncovered",
-     {"the scan does not show enough of it: scan the whole face, uncovered",
-      "der Scan zeigt zu wenig davon: das ganze Gesicht unbedeckt scannen",
-      "le scan n'en montre pas assez : scannez tout le visage, découvert"}},
-    {"the scan lies off the model's shape there: is something in front of the skin, or the face "
-     "unlike those that the model knows? Landmarks would help",
-     {"the scan lies off the model's shape there: is something in front of the skin, or the face "
-      "unlike those that the model knows? Landmarks would help",
-      "der Scan liegt dort neben der Form des Modells: ist etwas vor der Haut, oder das Gesicht "
-      "anders als die, die das Modell kennt? Landmarken würden helfen",
-      "le scan s'écarte là de la forme du modèle : quelque chose devant la peau, ou un visage "
-      "différent de ceux que le modèle connaît ? Des repères aideraient"}},
-    {"its surface faces otherwise than the scan's: pick landmarks there",
-     {"its surface faces otherwise than the scan's: pick landmarks there",
-      "seine Oberfläche ist anders gerichtet als die des Scans: dort Landmarken setzen",
-      "sa surface est orientée autrement que celle du scan : placez-y des repères"}},
-    {"little tells where along the skin its places are: pick landmarks there, or use a trained "
-     "model",
-     {"little tells where along the skin its places are: pick landmarks there, or use a trained "
-      "model",
-      "wenig sagt, wo auf der Haut seine Stellen liegen: dort Landmarken setzen oder ein "
-      "trainiertes "
-      "Modell verwenden",
-      "peu indique où ses points sont sur la peau : placez-y des repères ou utilisez un modèle "
-      "entraîné"}},
-    {"it is stretched unlike a face: check the landmarks, or pick more",
-     {"it is stretched unlike a face: check the landmarks, or pick more",
-      "es ist anders gedehnt als ein Gesicht: Landmarken prüfen oder mehr setzen",
-      "il est étiré autrement qu'un visage : vérifiez les repères ou placez-en davantage"}},
-    {"the landmarks and the surface disagree: check how they were picked, and the stated picking "
-     "error",
-     {"the landmarks and the surface disagree: check how they were picked, and the stated picking "
-      "error",
-      "Landmarken und Oberfläche widersprechen sich: prüfen, wie sie gesetzt wurden, und den "
-      "angegebenen Fehler dabei",
-      "les repères et la surface se contredisent : vérifiez leur placement et l'erreur indiquée"}},
-    {"no pose agrees well with a face: is this one, whole and in the right unit? Landmarks would "
-     "tell",
-     {"no pose agrees well with a face: is this one, whole and in the right unit? Landmarks would "
-      "tell",
-      "keine Lage stimmt gut mit einem Gesicht überein: ist es eines, ganz und in der richtigen "
-      "Einheit? Landmarken würden es sagen",
-      "aucune pose ne correspond bien à un visage : en est-ce un, entier et dans la bonne unité ? "
-      "Des repères le diraient"}},
-    {"brows or lips are not seen where the form has them: make-up, light, or a wrong fit; "
-     "landmarks "
-     "would tell",
-     {"brows or lips are not seen where the form has them: make-up, light, or a wrong fit; "
-      "landmarks would tell",
-      "Brauen oder Lippen sind nicht dort zu sehen, wo die Form sie hat: Schminke, Licht oder eine "
-      "falsche Anpassung; Landmarken würden es sagen",
-      "sourcils ou lèvres ne sont pas vus là où la forme les place : maquillage, lumière ou "
-      "mauvais "
-      "ajustement ; des repères le diraient"}},
-    {"no colours tell where brows and lips are: landmarks there would",
-     {"no colours tell where brows and lips are: landmarks there would",
-      "keine Farben sagen, wo Brauen und Lippen sind: Landmarken dort würden es",
-      "aucune couleur ne dit où sont sourcils et lèvres : des repères le diraient"}},
-    {"the shape is unlike those that the model knows: check the unit, the landmarks and the model",
-     {"the shape is unlike those that the model knows: check the unit, the landmarks and the model",
-      "die Form ist anders als die, die das Modell kennt: Einheit, Landmarken und Modell prüfen",
-      "la forme diffère de celles que le modèle connaît : vérifiez l'unité, les repères et le "
-      "modèle"}},
-    {"triangles are folded over: check the landmarks and the scan",
-     {"triangles are folded over: check the landmarks and the scan",
-      "Dreiecke sind umgefaltet: Landmarken und Scan prüfen",
-      "des triangles sont repliés : vérifiez les repères et le scan"}},
-    {"the whole fit is doubtful",
-     {"the whole fit is doubtful", "die ganze Anpassung ist zweifelhaft",
-      "tout l'ajustement est douteux"}},
-    {"the scan's triangles face inwards: it is inside out, or mirrored (left and right exchanged)",
-     {"the scan's triangles face inwards: it is inside out, or mirrored (left and right exchanged)",
-      "die Dreiecke des Scans zeigen nach innen: er ist umgestülpt oder gespiegelt (links und "
-      "rechts vertauscht)",
-      "les triangles du scan sont tournés vers l'intérieur : il est retourné ou en miroir (gauche "
-      "et droite échangées)"}},
-    {"landmarks that contradict the others were left out: *",
-     {"landmarks that contradict the others were left out: {0}",
-      "Landmarken, die den anderen widersprechen, wurden ausgelassen: {0}",
-      "des repères qui contredisent les autres ont été écartés : {0}"}},
-    {"colours that do not lie as the form does were left out: *",
-     {"colours that do not lie as the form does were left out: {0}",
-      "Farben, die nicht wie die Form liegen, wurden ausgelassen: {0}",
-      "des couleurs qui ne suivent pas la forme ont été écartées : {0}"}},
 };
 
 }  // namespace mien::cli

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "report_texts.hpp"
+#include "report_sentences.hpp"
 
 namespace mien::cli {
 namespace {
@@ -111,9 +111,11 @@ std::string Words::sentence(const std::string& english) const {
     std::vector<std::string> parts;
     for (const ReportText& text : kSentences)
         if (matches(english, text.key, parts)) {
-            // A zone, or a sentence inside the sentence.
+            // A number, a zone, or a sentence inside the sentence.
             for (std::string& part : parts)
-                part = find(kZoneNames, part) != nullptr ? zone(part) : sentence(part);
+                part = part.find_first_not_of("-0123456789.") == std::string::npos ? number(part)
+                       : find(kZoneNames, part) != nullptr                         ? zone(part)
+                                                                                   : sentence(part);
             return filled(text.in[column_], parts);
         }
     return english;

@@ -14,6 +14,15 @@ from pathlib import Path
 mien, demo_data, work = sys.argv[1], sys.argv[2], Path(sys.argv[3])
 
 
+sources = Path(__file__).resolve().parents[2] / "src"
+LITERAL = r'"(?:[^"\\]|\\.)*"(?:\s*"(?:[^"\\]|\\.)*")*'
+
+
+def joined_literals(source):
+    """The texts of a C++ source, a line each, their parts joined as the compiler does."""
+    return "\n".join("".join(re.findall(r'"((?:[^"\\]|\\.)*)"', literal)) for literal in re.findall(LITERAL, source))
+
+
 def run(*arguments):
     return subprocess.run([mien, *map(str, arguments)], capture_output=True, text=True)
 
@@ -71,6 +80,11 @@ class Records(unittest.TestCase):
         for name, expression in (("a", "neutral"), ("b", "grin")):
             shutil.copy(demo / f"scan/scan_{expression}.ply", cls.base / f"scans/{name}.ply")
             shutil.copy(demo / f"scan/landmarks_{expression}.json", cls.base / f"scans/{name}.json")
+            if name == "b":  # in centimetres, and with a place that no model knows
+                cls.must("mesh", "scale", demo / f"scan/scan_{expression}.ply", cls.base / "scans/b.ply", "--factor", "0.1")
+                picked = json.loads((cls.base / "scans/b.json").read_text())
+                picked["points"]["wart"] = [20, 10, 80]
+                (cls.base / "scans/b.json").write_text(json.dumps(picked))
             cls.must("register", "--model", cls.base / "face.safetensors", "--scan", cls.base / f"scans/{name}.ply", "--landmarks",
                      cls.base / f"scans/{name}.json", "--out", cls.base / f"fits/{name}.ply", "--json", cls.base / f"fits/{name}.json",
                      "--record", cls.base / f"kept/{name}.safetensors")
@@ -90,7 +104,12 @@ class Records(unittest.TestCase):
     def test_scans_their_records_and_their_files_give_the_same_numbers(self):
         scans = self.told("scans", "--model", self.base / "face.safetensors")
         self.assertGreater(len(scans), 5)  # the zones of the model
+        page = (self.base / "page.html").read_text("utf-8")
+        for said in ("one unit of the scan was taken for 10 mm", "the landmarks are in another unit than the scan",
+                     "1 landmarks are unknown to the model and left out: wart"):
+            self.assertIn(said, page)
         self.assertEqual(scans, self.told("kept", "--fitted"))
+        self.assertIn("one unit of the scan was taken for 10 mm", (self.base / "page.html").read_text("utf-8"))
         by_name = {zone["name"]: zone for zone in scans}
         for zone in self.told("fits", "--fitted", "--zones", self.base / "demo/zones.json"):
             self.assertEqual(zone, by_name[zone["name"]])
@@ -207,6 +226,10 @@ class Report(unittest.TestCase):
         for zone in self.report()[1]["zones"]:
             self.assertAlmostEqual(zone["signed_ml"], 0, places=6)
             self.assertTrue(zone["below_limit_of_detection"])
+
+    def test_the_page_tells_of_visits_that_are_one_face(self):
+        for language, said in (("en", "2026-02: is the same face as 2026-01"), ("de", "2026-02: ist dasselbe Gesicht wie 2026-01")):
+            self.assertIn(said, self.page_of("--language", language))
 
     def test_a_grin_moves_the_mouth_and_not_the_forehead(self):
         mouth, forehead = self.report()[2]["zones"]
@@ -342,7 +365,7 @@ class Report(unittest.TestCase):
         self.assertEqual(done.returncode, 2)
 
     def test_the_table_of_texts_is_whole(self):
-        source = (Path(__file__).resolve().parents[2] / "src/cli/report_texts.hpp").read_text("utf-8")
+        source = "".join((sources / f"cli/report_{name}.hpp").read_text("utf-8") for name in ("texts", "sentences"))
         rows = re.findall(r"^    \{\"", source, re.M)
         joined = re.sub(r'"\s+"', "", source)
         whole = re.findall(r'\{"((?:[^"\\]|\\.)*)",\s*\{"((?:[^"\\]|\\.)*)",\s*"((?:[^"\\]|\\.)*)",\s*"((?:[^"\\]|\\.)*)"\}\}', joined)
@@ -352,6 +375,27 @@ class Report(unittest.TestCase):
             for text in texts:
                 self.assertTrue(text, key)
                 self.assertEqual(sorted(re.findall(r"\{\d\}", text)), sorted(re.findall(r"\{\d\}", texts[0])), key)
+
+    def test_every_sentence_that_a_fit_can_say_is_in_the_table(self):
+        # A verdict's reasons and notes are written in these files; errors and what is logged never reach the page.
+        known = joined_literals((sources / "cli/report_sentences.hpp").read_text("utf-8"))
+        missing, count = [], 0
+        errors = ("batch", "fit_record", "fit_system", "scan_fans")  # what else these files say are errors
+        for path in (*sorted((sources / "registration").glob("*.cpp")), sources / "cli/face_checks.cpp"):
+            if path.stem in errors:
+                continue
+            text = re.sub(r"^ *#include.*|//.*", "", path.read_text("utf-8"), flags=re.M)
+            if path.name == "face_checks.cpp":
+                text = text[text.index("check_visits"):]
+            text = re.sub(rf"\b(fail(_at)?|runtime_error|fprintf|log|metadata\[)\(?(?:{LITERAL}|[^;\"])*;", "", text)
+            for said in joined_literals(text).splitlines():
+                for piece in re.split(r"%[-+.\d]*l*[a-z]", said):
+                    sentence = len(piece) > 20 and " " in piece
+                    count += sentence
+                    if sentence and piece.strip(" ;:,") not in known:
+                        missing.append(f"{path.name}: {piece}")
+        self.assertEqual(missing, [], "the report cannot say this in other languages")
+        self.assertGreater(count, 30)
 
     def test_treated_zones_are_drawn(self):
         def rims(page):
