@@ -123,8 +123,8 @@ def make_nuget(library, out):
         package.writestr("build/Mien.props", PROPS)
         package.write(PROJECT / "LICENSE", "LICENSE")
         csharp = PROJECT / "examples/csharp"
-        for path in (csharp / "Native.cs", csharp / "Runtime.cs", *sorted((csharp / "classes").glob("*.cs"))):
-            package.write(path, f"contentFiles/cs/any/{path.relative_to(csharp)}")
+        for source in (csharp / "Native.cs", csharp / "Runtime.cs", *sorted((csharp / "classes").glob("*.cs"))):
+            package.write(source, f"contentFiles/cs/any/{source.relative_to(csharp)}")
         package.write(library, f"runtimes/linux-{'arm64' if ARM else 'x64'}/native/{LIBRARY}")
     return str(path)
 

@@ -4,7 +4,7 @@
 # 64-bit ARM runs through qemu-user, Windows through wine; what is missing is installed by apt. Each archive
 # is unpacked into an empty folder and used as a stranger would: the first program in C does the main job on the project's
 # own demo data, on this machine's kind also where there is nothing but the C library; a program of the first release runs,
-# file names are UTF-8, and every function is called with every wrong argument. The neutral face must agree with this
+# file names are UTF-8, the README's command makes a report, and every function is called with every wrong argument. The neutral face must agree with this
 # machine's own build to 0.001 mm (abi/README.md, promises).
 #   MIEN_NATIVE  a build of this machine with bin/mien and bin/mien-demo-data (default build/joined)
 #   MIEN_WORK    keeps dependencies and objects for the next run (default build/cross)
@@ -87,6 +87,18 @@ for machine; do
         old=$(sh "$project/cmake/sysroot.sh" "$machine" "$work/dependencies" | head -1)
         sh "$project/tests/bindings/bare_root.sh" "${root%/}" "$demo" "$programs" "cc $old" "$work/dependencies/sysroot-$machine"
     fi
+    # The one command of the archive's README, as it stands there, by the archive's own programs alone. On 64-bit ARM with the old C
+    # library and no other: what qemu finds below the folder is all there is.
+    report=$(sed -n 's/^bin\/mien report \(.*\) --out report\.html$/\1/p' "${root}README.md")
+    [ -n "$report" ] || { echo "FAILED: the README names no command" >&2; exit 1; }
+    bare() { run "$@"; }
+    [ "$machine" != linux-aarch64 ] || bare() { env -i "$(command -v qemu-aarch64)" -L "$work/dependencies/sysroot-linux-aarch64" "$@"; }
+    # shellcheck disable=SC2086
+    (cd "$root" && bare "bin/mien$exe" report $report --out "$programs/report.html" >"$programs/report.log") ||
+        { tail -5 "$programs/report.log" >&2; echo "FAILED: the README's command" >&2; exit 1; }
+    grep -q 'left cheek' "$programs/report.html" || { echo "FAILED: the report does not speak of the left cheek" >&2; exit 1; }
+    tail -1 "$programs/report.log"
+    rm "$programs/report.html"
     run "./previous$exe"
     run "./utf8_paths$exe"
     run "./abuse$exe" - 20000

@@ -128,6 +128,7 @@ assert resident() - before < 240 << 20, f"{resident() - before} bytes more"
 
 # Type hints: whole, and they name what there is.
 assert (Path(mien.__file__).parent / "py.typed").exists()
+assert isinstance(typing.get_type_hints(mien.Session.__enter__, vars(mien.runtime))["return"], typing.TypeVar)  # of the class itself
 assert mien.__version__ == mien.version_string()
 hints = 0
 for kind in {kind for kind in (mien, *vars(mien).values()) if kind is mien or inspect.isclass(kind)}:

@@ -11,7 +11,7 @@ import sys
 import threading
 import weakref
 from pathlib import Path
-from typing import Any, Callable, Union
+from typing import Any, Callable, TypeVar, Union
 
 import numpy
 
@@ -105,6 +105,9 @@ class _Handle:
             self.pointer = 0
 
 
+_Self = TypeVar("_Self", bound="Object")  # typing.Self is of Python 3.11
+
+
 class Object:
     """Owns a handle. A context manager; what is never closed goes with the garbage, in any order."""
 
@@ -144,7 +147,7 @@ class Object:
         """Gives the native object back now; calls and views that still use it finish first."""
         self._finalizer()
 
-    def __enter__(self) -> Any:
+    def __enter__(self: _Self) -> _Self:
         return self
 
     def __exit__(self, *_: Any) -> None:
