@@ -173,6 +173,28 @@ def run_blocks(mien, demo_data, library, work):
         problems.append("the guides' report has no zone")
 
 
+def check_commands(mien):
+    """Commands outside of the guides, which are too long to run here: each names a command and options that there are."""
+    pages = [project / name for name in ("README.md", "cmake/archive-README.md", "docs/networks.md", "docs/algorithms.md", "CHANGELOG.md")]
+    count, helps = 0, {}
+    for page in pages:
+        for line, _, text in blocks(page, "sh"):
+            for command in re.findall(r"^(?:bin/)?mien (.*)$", re.sub(r"\\\n\s*", " ", text), re.M):
+                words = re.sub(r"[|;#].*", "", command).split()
+                path = tuple(word for k, word in enumerate(words[:2]) if re.fullmatch(r"[a-z][a-z-]+", word) and not any(w.startswith("-") for w in words[:k]))
+                if path not in helps:
+                    done = subprocess.run([mien, *path, "--help"], capture_output=True, text=True)
+                    helps[path] = done.stdout if done.returncode == 0 else ""
+                known = set(re.findall(r"--[\w-]+", helps[path]))
+                unknown = [word for word in words if word.startswith("--") and word.split("=")[0] not in known]
+                if unknown or not helps[path]:
+                    problems.append(f"{page.relative_to(project)}:{line}: mien {' '.join(path)} knows no {', '.join(unknown) or 'such command'}")
+                count += 1
+    print(f"{count} commands of other pages name what there is")
+    if count < 5:
+        problems.append("no commands were found in the README")
+
+
 def main():
     mode = sys.argv[1]
     if mode == "words":
@@ -182,6 +204,7 @@ def main():
     elif mode == "compile":
         compile_blocks()
     else:
+        check_commands(sys.argv[3])
         run_blocks(*sys.argv[3:6], Path(sys.argv[6]).resolve())
     print("\n".join(problems))
     return bool(problems)
