@@ -95,7 +95,7 @@ std::string unknown_command(const CLI::App& app, const std::vector<std::string>&
         for (const CLI::App* group : app.get_subcommands(nullptr))
             if (child_of(*group, word) != nullptr) likely.push_back(group->get_name() + " " + word);
     return path + " has no command '" + word + "'" +
-           (likely.empty() ? std::string() : "; did you mean " + joined(likely) + "?") + ". '" +
+           (likely.empty() ? std::string(".") : "; did you mean " + joined(likely) + "?") + " '" +
            path + " --help' lists them";
 }
 

@@ -81,7 +81,7 @@ class Mistyped(unittest.TestCase):
         return err
 
     def test_a_command(self):
-        self.assertIn("'register'", self.refused("regster"))
+        self.assertIn("did you mean 'register'? 'mien --help' lists them", self.refused("regster"))
         self.assertIn("'neutralize'", self.refused("neutralise", "--fitted", "a.ply"))
         self.assertIn("mien --help", self.refused("xyzzy"))
 
