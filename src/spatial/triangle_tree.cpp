@@ -8,95 +8,22 @@
 #include "base/dense.hpp"
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "spatial/tree_order.hpp"
 #include "spatial/triangle_distance.hpp"
 
 namespace mien {
 
 namespace {
 
-constexpr std::size_t kTaskItems = 4096;  // below this a task sorts a range to the end by itself
+constexpr std::size_t kTaskItems = 4096;  // at a time
 constexpr std::size_t kBoxChunk = 2048;
 constexpr std::uint64_t kLowHalf = 0xffffffffu;
+// Twice the area over the longest side's square below which a triangle has no directions.
+constexpr double kFlat = 1e-7;
 constexpr float kBoxMargin = 2e-6f;  // of a box's largest coordinate
 
 float size_of(const Vector3& place) {
     return static_cast<float>(place.cwiseAbs().maxCoeff());
-}
-
-struct Item {
-    float centroid[3];
-    std::uint32_t id;
-};
-
-struct Before {
-    int axis;
-    bool operator()(const Item& x, const Item& y) const {
-        return x.centroid[axis] < y.centroid[axis] ||
-               (x.centroid[axis] == y.centroid[axis] && x.id < y.id);
-    }
-};
-
-// std::nth_element without a branch on the comparisons, which no processor can foresee: each round
-// swaps every item with the one at a border and moves the border past those before the pivot.
-void select_nth(Item* begin, Item* nth, Item* end, int axis) {
-    constexpr std::ptrdiff_t kFew = 8;  // the library's is as fast then
-    constexpr int kMostRounds = 64;     // far more than good pivots need; then the library's, which
-                                        // is never quadratic
-    const Before before{axis};
-    const auto middle_of_three = [&](const Item* a, const Item* b, const Item* c) {
-        if (before(*b, *a)) std::swap(a, b);
-        if (before(*c, *b)) std::swap(b, c);
-        return before(*b, *a) ? a : b;
-    };
-    for (int round = 0; end - begin > kFew && round < kMostRounds; ++round) {
-        const std::ptrdiff_t eighth = (end - begin) / 8;
-        const Item* const ninths[3] = {
-            middle_of_three(begin, begin + eighth, begin + 2 * eighth),
-            middle_of_three(begin + 3 * eighth, begin + 4 * eighth, begin + 5 * eighth),
-            middle_of_three(begin + 6 * eighth, begin + 7 * eighth, end - 1)};
-        const Item pivot = *middle_of_three(ninths[0], ninths[1], ninths[2]);
-        const float value = pivot.centroid[axis];
-        Item* border = begin;
-        for (Item* item = begin; item != end; ++item) {
-            const Item here = *item;
-            const float x = here.centroid[axis];
-            *item = *border;
-            *border = here;
-            border += static_cast<int>(x < value) |
-                      (static_cast<int>(x == value) & static_cast<int>(here.id < pivot.id));
-        }
-        // [begin, border) lies before the pivot, which is in [border, end).
-        if (nth < border) {
-            end = border;
-            continue;
-        }
-        if (border == begin) {  // nothing lies before the pivot: it is the first
-            Item* first = begin;
-            while (first->id != pivot.id) ++first;
-            std::swap(*begin, *first);
-            if (nth == begin++) return;
-            continue;
-        }
-        begin = border;
-    }
-    std::nth_element(begin, nth, end, before);
-}
-
-// Partitions items[begin, end) so that the first `half` have the smaller centroids along the widest
-// axis. Ties fall by index, so that the order does not depend on the library's partition.
-void split(Item* begin, Item* end, std::size_t half) {
-    if (static_cast<std::size_t>(end - begin) <= half) return;
-    float lower[3], upper[3];
-    for (int k = 0; k < 3; ++k) lower[k] = upper[k] = begin->centroid[k];
-    for (const Item* item = begin; item != end; ++item)
-        for (int k = 0; k < 3; ++k) {
-            lower[k] = std::min(lower[k], item->centroid[k]);
-            upper[k] = std::max(upper[k], item->centroid[k]);
-        }
-    int axis = 0;
-    for (int k = 1; k < 3; ++k)
-        if (upper[k] - lower[k] > upper[axis] - lower[axis]) axis = k;
-    select_nth(begin, begin + half, end, axis);
 }
 
 // Where the coordinates of the tree's floats begin. The middle of the box, as a rule; but where a
@@ -140,7 +67,7 @@ TriangleTree::TriangleTree(const PointsRef& vertices, const TrianglesRef& triang
     if (count >= SurfaceHit::kNone - block_size_)
         fail(Status::invalid_mesh, "a search tree over more than 2^32 triangles");
     context.require_memory(
-        count * (sizeof(Corners) + 8 + sizeof(Item) + 4 + (point_cloud_ ? 24 : 64)) +
+        count * (sizeof(Corners) + 8 + sizeof(TreeItem) + 4 + (point_cloud_ ? 24 : 64)) +
             static_cast<std::size_t>(vertices.rows()) * 24,
         "the search tree");
     sort_primitives(vertices, triangles, context);
@@ -170,7 +97,7 @@ void TriangleTree::sort_primitives(const PointsRef& vertices, const TrianglesRef
         const auto row = triangles.row(static_cast<Index>(id));
         return {{row[0], row[1], row[2]}};
     };
-    std::vector<Item> items(count);
+    RawVector<TreeItem> items(count);
     parallel_for(context, count, kTaskItems, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const Corners c = corners_of(i);
@@ -182,22 +109,8 @@ void TriangleTree::sort_primitives(const PointsRef& vertices, const TrianglesRef
             items[i].id = static_cast<std::uint32_t>(i);
         }
     });
-
-    std::size_t half = block_size_;
-    while (2 * half < count) half *= 2;
-    Item* const all = items.data();
-    for (; half >= kTaskItems; half /= 2) {
-        parallel_for(
-            context, (count + 2 * half - 1) / (2 * half), 1, [&](std::size_t group, std::size_t) {
-                split(all + group * 2 * half, all + std::min(count, (group + 1) * 2 * half), half);
-            });
-    }
-    parallel_for(context, count, 2 * half, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t h = half; h >= block_size_; h /= 2)
-            for (std::size_t b = begin; b < end; b += 2 * h)
-                split(all + b, all + std::min(end, b + 2 * h), h);
-    });
-
+    order_for_tree(items, block_size_, context);
+    TreeItem* const all = items.data();
     corners_.resize(count);
     id_of_.resize(count);
     slot_of_.resize(count);
@@ -205,7 +118,7 @@ void TriangleTree::sort_primitives(const PointsRef& vertices, const TrianglesRef
         // Ascending ids within a block, so that ties meet the lowest index first.
         for (std::size_t b = begin; b < end; b += block_size_)
             std::sort(all + b, all + std::min<std::size_t>(end, b + block_size_),
-                      [](const Item& x, const Item& y) { return x.id < y.id; });
+                      [](const TreeItem& x, const TreeItem& y) { return x.id < y.id; });
         for (std::size_t slot = begin; slot < end; ++slot) {
             const std::uint32_t id = items[slot].id;
             id_of_[slot] = id;
@@ -240,16 +153,18 @@ void TriangleTree::build_blocks(const Context& context) {
                     const Vector3 x[3] = {corner(slot, 0), corner(slot, 1), corner(slot, 2)};
                     for (const Vector3& place : x)
                         block.size[lane] = std::max(block.size[lane], size_of(place));
-                    const Vector3 cross = (x[1] - x[0]).cross(x[2] - x[0]);
-                    const double twice_area = cross.norm(),
-                                 longest = std::max({(x[1] - x[0]).squaredNorm(),
-                                                     (x[2] - x[1]).squaredNorm(),
-                                                     (x[0] - x[2]).squaredNorm()});
-                    if (!(twice_area > 1e-7 * longest)) continue;  // its directions would be noise
-                    const Vector3 normal = cross / twice_area;
+                    const Vector3 edge[3] = {x[1] - x[0], x[2] - x[1], x[0] - x[2]};
+                    const Vector3 cross = edge[2].cross(edge[0]);
+                    const Eigen::Array4d squares(cross.squaredNorm(), edge[0].squaredNorm(),
+                                                 edge[1].squaredNorm(), edge[2].squaredNorm());
+                    const double longest = squares.tail<3>().maxCoeff();
+                    if (!(squares[0] > kFlat * kFlat * longest * longest))
+                        continue;  // its directions would be noise
+                    const Eigen::Array4d inverse = 1 / squares.sqrt();
+                    const Vector3 normal = inverse[0] * cross;
                     set(0, normal, normal.dot(x[0]));
                     for (int k = 0; k < 3; ++k) {
-                        const Vector3 out = (x[(k + 1) % 3] - x[k]).cross(normal).normalized();
+                        const Vector3 out = inverse[k + 1] * edge[k].cross(normal);
                         set(k + 1, out, out.dot(x[k]));
                     }
                 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/context.hpp"
+#include "base/raw_vector.hpp"
 #include "base/types.hpp"
 #include "spatial/tree_search.hpp"
 
@@ -92,11 +93,11 @@ class TriangleTree {
     float extent_ = 0;
     Vector3 centre_ = Vector3::Zero(), lower_ = Vector3::Zero(), upper_ = Vector3::Zero();
     Points places_;                           // vertices relative to centre_
-    std::vector<Corners> corners_;            // in tree order
-    std::vector<std::uint32_t> id_of_;        // slot -> triangle
-    std::vector<std::uint32_t> slot_of_;      // triangle -> slot
-    std::vector<tree_search::Block> blocks_;  // of eight triangles
-    std::vector<tree_search::Node> nodes_;    // level 0 (children are blocks) first
+    RawVector<Corners> corners_;              // in tree order
+    RawVector<std::uint32_t> id_of_;          // slot -> triangle
+    RawVector<std::uint32_t> slot_of_;        // triangle -> slot
+    RawVector<tree_search::Block> blocks_;    // of eight triangles
+    RawVector<tree_search::Node> nodes_;      // level 0 (children are blocks) first
     std::vector<std::uint32_t> level_begin_;  // first node of each level
 };
 
