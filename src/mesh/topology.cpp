@@ -178,6 +178,80 @@ ConnectedComponents connected_components(const TrianglesRef& triangles, Index nu
     return parts;
 }
 
+namespace {
+
+// A corner at a pinched vertex, and the vertices before and behind it in its triangle.
+struct PinchedCorner {
+    std::uint32_t vertex, next, previous, side, node;
+};
+
+// Each fan of a pinched vertex gets a node of its own, beyond the vertices' numbers. By side.
+std::vector<PinchedCorner> part_pinched(const TrianglesRef& triangles, const TriangleFans& fans,
+                                        std::uint32_t& num_nodes) {
+    std::vector<std::uint8_t> pinched(num_nodes, 0);
+    for (const std::uint32_t vertex : fans.pinched()) pinched[vertex] = 1;
+    std::vector<PinchedCorner> corners;
+    for (Index t = 0; t < triangles.rows() && !fans.pinched().empty(); ++t)
+        for (int k = 0; k < 3; ++k) {
+            const std::uint32_t vertex = triangles(t, k);
+            if (pinched[vertex])
+                corners.push_back({vertex, triangles(t, (k + 1) % 3), triangles(t, (k + 2) % 3),
+                                   static_cast<std::uint32_t>(3 * t + k), kNone});
+        }
+    const auto by_next = [](const PinchedCorner& a, const PinchedCorner& b) {
+        return a.vertex != b.vertex ? a.vertex < b.vertex : a.next < b.next;
+    };
+    std::sort(corners.begin(), corners.end(), by_next);
+    DisjointSets sets(corners.size());
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        PinchedCorner wanted = corners[k];
+        wanted.next = wanted.previous;
+        const auto found = std::lower_bound(corners.begin(), corners.end(), wanted, by_next);
+        if (found != corners.end() && found->vertex == wanted.vertex && found->next == wanted.next)
+            sets.unite(static_cast<std::uint32_t>(k),
+                       static_cast<std::uint32_t>(found - corners.begin()));
+    }
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        const std::uint32_t first = sets.find(static_cast<std::uint32_t>(k));
+        corners[k].node = first == k ? num_nodes++ : corners[first].node;
+    }
+    std::sort(corners.begin(), corners.end(),
+              [](const PinchedCorner& a, const PinchedCorner& b) { return a.side < b.side; });
+    return corners;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> pieces_across_edges(const TrianglesRef& triangles,
+                                               const TriangleFans& fans) {
+    std::uint32_t num_nodes = static_cast<std::uint32_t>(fans.num_vertices());
+    const std::vector<PinchedCorner> parted = part_pinched(triangles, fans, num_nodes);
+    DisjointSets sets(num_nodes);
+    // Where a triangle's corners are, with the corners at pinched vertices taken from their list.
+    const auto visit = [&](auto&& use) {
+        auto corner = parted.begin();
+        for (Index t = 0; t < triangles.rows(); ++t) {
+            std::uint32_t nodes[3] = {triangles(t, 0), triangles(t, 1), triangles(t, 2)};
+            for (; corner != parted.end() && corner->side / 3 == t; ++corner)
+                nodes[corner->side % 3] = corner->node;
+            use(static_cast<std::size_t>(t), nodes);
+        }
+    };
+    visit([&](std::size_t, const std::uint32_t* nodes) {
+        sets.unite(nodes[0], nodes[1]);
+        sets.unite(nodes[0], nodes[2]);
+    });
+    std::vector<std::uint32_t> number(num_nodes, kNone),
+        piece_of(static_cast<std::size_t>(triangles.rows()));
+    std::uint32_t num_pieces = 0;
+    visit([&](std::size_t t, const std::uint32_t* nodes) {
+        std::uint32_t& piece = number[sets.find(nodes[0])];
+        if (piece == kNone) piece = num_pieces++;
+        piece_of[t] = piece;
+    });
+    return piece_of;
+}
+
 TopologyReport inspect_topology(const EdgeTable& table, const TrianglesRef& triangles,
                                 Index num_vertices) {
     TopologyReport report;

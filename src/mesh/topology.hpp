@@ -8,6 +8,7 @@
 
 #include "base/context.hpp"
 #include "base/types.hpp"
+#include "mesh/triangle_fans.hpp"
 
 namespace mien {
 
@@ -61,6 +62,11 @@ struct ConnectedComponents {
     std::vector<Index> num_vertices;         ///< per piece
 };
 ConnectedComponents connected_components(const TrianglesRef& triangles, Index num_vertices);
+
+/// The piece of each triangle, joined across edges alone, numbered by the pieces' first triangles.
+/// `fans`: of these triangles, wound_alike(). O(F).
+std::vector<std::uint32_t> pieces_across_edges(const TrianglesRef& triangles,
+                                               const TriangleFans& fans);
 
 /// What keeps a soup from being an oriented manifold.
 struct TopologyReport {

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <utility>
 
+#include "base/parallel.hpp"
 #include "mesh/topology.hpp"
 
 namespace mien {
@@ -15,31 +16,39 @@ struct Facing {
     double total_area = 0;
 };
 
-Facing facing_of(const TriMesh& mesh) {
-    const Index count = mesh.triangles.rows();
+Facing facing_of(const TriMesh& mesh, const Context& context) {
+    constexpr std::size_t kChunk = 8192;
+    const std::size_t count = static_cast<std::size_t>(mesh.triangles.rows());
     Facing facing;
-    facing.area.resize(static_cast<std::size_t>(count));
-    facing.outward.resize(static_cast<std::size_t>(count));
-    const auto corner = [&](Index t, int k) -> Vector3 {
-        return mesh.vertices.row(mesh.triangles(t, k)).transpose();
+    facing.area.resize(count);
+    facing.outward.resize(count);
+    const auto corner = [&](std::size_t t, int k) -> Vector3 {
+        return mesh.vertices.row(mesh.triangles(static_cast<Index>(t), k)).transpose();
     };
-    Vector3 middle = Vector3::Zero();
-    for (Index t = 0; t < count; ++t) {
-        const double area =
-            0.5 * (corner(t, 1) - corner(t, 0)).cross(corner(t, 2) - corner(t, 0)).norm();
-        facing.area[static_cast<std::size_t>(t)] = area;
-        facing.total_area += area;
-        middle += area / 3 * (corner(t, 0) + corner(t, 1) + corner(t, 2));
-    }
+    // The area, and area times three times the centroid.
+    Eigen::Vector4d sums = parallel_sum<Eigen::Vector4d>(
+        context, count, kChunk, Eigen::Vector4d::Zero(), [&](std::size_t begin, std::size_t end) {
+            Eigen::Vector4d part = Eigen::Vector4d::Zero();
+            for (std::size_t t = begin; t < end; ++t) {
+                const Vector3 a = corner(t, 0), b = corner(t, 1), c = corner(t, 2);
+                const double area = 0.5 * (b - a).cross(c - a).norm();
+                facing.area[t] = area;
+                part[0] += area;
+                part.tail<3>() += area * (a + b + c);
+            }
+            return part;
+        });
+    facing.total_area = sums[0];
     if (!(facing.total_area > 0)) return facing;
-    middle /= facing.total_area;
-    for (Index t = 0; t < count; ++t) {
-        const Vector3 cross = (corner(t, 1) - corner(t, 0)).cross(corner(t, 2) - corner(t, 0));
-        const Vector3 away = (corner(t, 0) + corner(t, 1) + corner(t, 2)) / 3 - middle;
-        const double length = away.norm();
-        facing.outward[static_cast<std::size_t>(t)] =
-            length > 0 ? 0.5 * cross.dot(away) / length : 0;
-    }
+    const Vector3 middle = sums.tail<3>() / (3 * facing.total_area);
+    parallel_for(context, count, kChunk, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t) {
+            const Vector3 a = corner(t, 0), b = corner(t, 1), c = corner(t, 2);
+            const Vector3 cross = (b - a).cross(c - a), away = (a + b + c) / 3 - middle;
+            const double length = away.norm();
+            facing.outward[t] = length > 0 ? 0.5 * cross.dot(away) / length : 0;
+        }
+    });
     return facing;
 }
 
@@ -117,58 +126,129 @@ void turn_over(TriMesh& mesh) {
 }
 
 double outward_share(const TriMesh& mesh) {
-    const Facing facing = facing_of(mesh);
+    const Facing facing = facing_of(mesh, {});
     double sum = 0;
     for (const double outward : facing.outward) sum += outward;
     return facing.total_area > 0 ? sum / facing.total_area : 0;
 }
 
-WindingReport make_windings_consistent(TriMesh& mesh, const WindingSettings& settings,
-                                       const Context& context) {
-    WindingReport report;
-    if (mesh.triangles.rows() == 0) return report;
-    const Facing facing = facing_of(mesh);
+namespace {
+
+struct Piece {
+    double area = 0, outward = 0;
+    Index num_triangles = 0;
+};
+
+// What is to be turned, piece by piece.
+struct Plan {
+    std::vector<std::uint32_t> piece_of;  // #F
+    std::vector<Piece> pieces;
+    std::vector<std::uint8_t> turned;  // #F, or empty: none
+    Index num_impossible = 0;
+};
+
+// Within a piece, the part of less area is turned.
+Plan plan_by_walk(const TriMesh& mesh, const Facing& facing, const Context& context) {
     const EdgeTable table = build_edge_table(mesh.triangles, mesh.vertices.rows(), context);
     Walk walk(mesh.triangles, table);
     walk.run(context);
-    report.num_pieces = static_cast<Index>(walk.pieces.size());
-    report.num_impossible_edges = walk.num_impossible;
-
-    // Within a piece, the part of less area is turned.
-    struct Piece {
-        double area = 0, outward = 0;
-    };
-    std::vector<Piece> sums(walk.pieces.size());
-    double outward = 0;
+    Plan plan;
+    plan.num_impossible = walk.num_impossible;
+    plan.piece_of.resize(facing.area.size());
+    plan.pieces.resize(walk.pieces.size());
     for (std::size_t p = 0; p < walk.pieces.size(); ++p) {
+        Piece& piece = plan.pieces[p];
         double kept = 0, turned = 0;
         for (const std::uint32_t t : walk.pieces[p])
             (walk.turned[t] ? turned : kept) += facing.area[t];
         for (const std::uint32_t t : walk.pieces[p]) {
             if (turned > kept) walk.turned[t] ^= 1;
-            sums[p].area += facing.area[t];
-            sums[p].outward += walk.turned[t] ? -facing.outward[t] : facing.outward[t];
+            plan.piece_of[t] = static_cast<std::uint32_t>(p);
+            piece.area += facing.area[t];
+            piece.outward += walk.turned[t] ? -facing.outward[t] : facing.outward[t];
+            ++piece.num_triangles;
         }
-        outward += sums[p].outward;
     }
+    plan.turned = std::move(walk.turned);
+    return plan;
+}
+
+// All triangles are wound alike, and none is turned within a piece.
+Plan plan_of_alike(const TriMesh& mesh, const TriangleFans& fans, const Facing& facing) {
+    Plan plan;
+    plan.piece_of = pieces_across_edges(mesh.triangles, fans);
+    for (std::size_t t = 0; t < plan.piece_of.size(); ++t) {
+        if (plan.piece_of[t] == plan.pieces.size()) plan.pieces.emplace_back();
+        Piece& piece = plan.pieces[plan.piece_of[t]];
+        piece.area += facing.area[t];
+        piece.outward += facing.outward[t];
+        ++piece.num_triangles;
+    }
+    return plan;
+}
+
+WindingReport carry_out(Plan& plan, const Facing& facing, const WindingSettings& settings,
+                        TriMesh& mesh) {
+    WindingReport report;
+    report.num_pieces = static_cast<Index>(plan.pieces.size());
+    report.num_impossible_edges = plan.num_impossible;
+    double whole = 0;
+    for (const Piece& piece : plan.pieces) whole += piece.outward;
     // Between pieces, those that clearly face the other way than the whole.
     const double least = settings.least_share * static_cast<double>(mesh.triangles.rows());
-    for (std::size_t p = 0; p < walk.pieces.size(); ++p) {
-        const bool against = sums[p].outward * outward < 0;
-        const bool clearly = std::abs(sums[p].outward) > settings.clearly * sums[p].area;
-        if (!against || !clearly || static_cast<double>(walk.pieces[p].size()) < least) continue;
-        for (const std::uint32_t t : walk.pieces[p]) walk.turned[t] ^= 1;
+    std::vector<std::uint8_t> turn_piece(plan.pieces.size(), 0);
+    bool any = !plan.turned.empty();
+    for (std::size_t p = 0; p < plan.pieces.size(); ++p) {
+        const Piece& piece = plan.pieces[p];
+        const bool against = piece.outward * whole < 0;
+        const bool clearly = std::abs(piece.outward) > settings.clearly * piece.area;
+        turn_piece[p] = against && clearly && static_cast<double>(piece.num_triangles) >= least;
+        any = any || turn_piece[p] != 0;
     }
-    double sum = 0;
-    for (Index t = 0; t < mesh.triangles.rows(); ++t) {
-        const std::size_t i = static_cast<std::size_t>(t);
-        sum += walk.turned[i] ? -facing.outward[i] : facing.outward[i];
-        if (!walk.turned[i]) continue;
+    double sum = any ? 0 : whole;
+    for (std::size_t t = 0; any && t < plan.piece_of.size(); ++t) {
+        const std::uint8_t within = plan.turned.empty() ? 0 : plan.turned[t];
+        const bool turned = (within ^ turn_piece[plan.piece_of[t]]) != 0;
+        sum += turned ? -facing.outward[t] : facing.outward[t];
+        if (!turned) continue;
         report.turned.push_back(static_cast<std::uint32_t>(t));
-        turn_triangle(mesh, t);
+        turn_triangle(mesh, static_cast<Index>(t));
     }
     report.outward = facing.total_area > 0 ? sum / facing.total_area : 0;
     return report;
+}
+
+bool names_a_vertex_twice(const Triangles& triangles) {
+    for (Index t = 0; t < triangles.rows(); ++t)
+        if (triangles(t, 0) == triangles(t, 1) || triangles(t, 1) == triangles(t, 2) ||
+            triangles(t, 2) == triangles(t, 0))
+            return true;
+    return false;
+}
+
+}  // namespace
+
+WindingReport make_windings_consistent(TriMesh& mesh, TriangleFans& fans,
+                                       const WindingSettings& settings, const Context& context) {
+    if (mesh.triangles.rows() == 0) return {};
+    const Facing facing = facing_of(mesh, context);
+    Plan plan = fans.wound_alike() ? plan_of_alike(mesh, fans, facing)
+                                   : plan_by_walk(mesh, facing, context);
+    WindingReport report = carry_out(plan, facing, settings, mesh);
+    if (!report.turned.empty()) fans = TriangleFans(mesh.vertices.rows(), mesh.triangles, context);
+    return report;
+}
+
+WindingReport make_windings_consistent(TriMesh& mesh, const WindingSettings& settings,
+                                       const Context& context) {
+    if (mesh.triangles.rows() == 0) return {};
+    if (names_a_vertex_twice(mesh.triangles)) {
+        const Facing facing = facing_of(mesh, context);
+        Plan plan = plan_by_walk(mesh, facing, context);
+        return carry_out(plan, facing, settings, mesh);
+    }
+    TriangleFans fans(mesh.vertices.rows(), mesh.triangles, context);
+    return make_windings_consistent(mesh, fans, settings, context);
 }
 
 }  // namespace mien

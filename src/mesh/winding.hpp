@@ -8,6 +8,7 @@
 
 #include "base/context.hpp"
 #include "mesh/tri_mesh.hpp"
+#include "mesh/triangle_fans.hpp"
 
 namespace mien {
 
@@ -34,6 +35,11 @@ struct WindingReport {
 /// too. `mesh` must have passed check_mesh(). O(F log degree).
 WindingReport make_windings_consistent(TriMesh& mesh, const WindingSettings& settings,
                                        const Context& context);
+
+/// The same with the fans of `mesh`, whose triangles name no vertex twice; they are made anew when
+/// any was turned. O(F) where all are wound alike.
+WindingReport make_windings_consistent(TriMesh& mesh, TriangleFans& fans,
+                                       const WindingSettings& settings, const Context& context);
 
 /// Turns every triangle over.
 void turn_over(TriMesh& mesh);

@@ -26,32 +26,37 @@ Vector given_weights(const CleanedMesh& cleaned, const Vector& given) {
     return weight;
 }
 
-void make_windings_alike(TriMesh& mesh, const WindingSettings& settings, PreparedScan& scan,
-                         const Context& context) {
-    const WindingReport report = make_windings_consistent(mesh, settings, context);
+// Returns the fans of the mesh as it is then.
+TriangleFans make_windings_alike(TriMesh& mesh, const WindingSettings& settings, PreparedScan& scan,
+                                 const Context& context) {
+    TriangleFans fans(mesh.vertices.rows(), mesh.triangles, context);
+    const WindingReport report = make_windings_consistent(mesh, fans, settings, context);
     scan.outward = report.outward;
     scan.num_turned = static_cast<Index>(report.turned.size());
-    if (report.turned.empty()) return;
-    scan.turned.assign(static_cast<std::size_t>(mesh.triangles.rows()), 0);
+    if (!report.turned.empty())
+        scan.turned.assign(static_cast<std::size_t>(mesh.triangles.rows()), 0);
     for (const std::uint32_t t : report.turned) scan.turned[t] = 1;
+    return fans;
 }
 
-// Colours of the vertices, from the images where there are some, and what hits take from these.
-void take_colors(const TriMesh& mesh, const IntakeSettings& settings, ScanSurface& surface,
-                 const Context& context) {
-    ScanImages& images = surface.images;
+// What hits take from images, and from a host's weights where these are to be weighed.
+ScanImages take_images(const TriMesh& mesh, const IntakeSettings& settings,
+                       const Context& context) {
+    ScanImages images;
     images.sampler = ImageSampler(mesh, context);
     images.radius_mm = settings.image_radius_mm;
     images.signals = settings.signals;
     images.skin = settings.skin;
     images.weighs_skin = settings.skin_weights;
-    const Colors colors = images.sampler.empty()
-                              ? mesh.colors
-                              : images.sampler.vertex_colors(mesh, settings.image_radius_mm);
+    return images;
+}
+
+// Of the vertices, from the images where there are some.
+void take_colors(const Colors& colors, const IntakeSettings& settings, ScanSurface& surface) {
     if (colors.rows() != surface.vertices.rows()) return;
     surface.colors = color_signals(colors, settings.signals);
     if (!settings.skin_weights) return;
-    images.given_weight = surface.weight;
+    surface.images.given_weight = surface.weight;
     const Vector skin = skin_weights(colors, settings.skin);
     if (surface.weight.size() == 0)
         surface.weight = skin;
@@ -65,16 +70,24 @@ PreparedScan prepare_scan(const TriMesh& raw, const IntakeSettings& settings,
                           const Context& context) {
     check_weights(settings.weight_per_vertex, raw.vertices.rows());
     CleanedMesh cleaned = clean_mesh(raw, CleaningOptions(), context);
+    TriMesh& mesh = cleaned.mesh;
     PreparedScan scan;
     scan.unit_to_mm = settings.unit_to_mm > 0
                           ? settings.unit_to_mm
-                          : choose_unit_mm(cleaned.mesh.vertices, settings.units, settings.unit);
-    cleaned.mesh.vertices *= scan.unit_to_mm;
-    make_windings_alike(cleaned.mesh, settings.windings, scan, context);
-    scan.pieces = find_pieces(cleaned.mesh, settings.pieces);
-    scan.surface = build_scan_surface(cleaned.mesh, settings.surface, context);
-    scan.surface.weight = given_weights(cleaned, settings.weight_per_vertex);
-    take_colors(cleaned.mesh, settings, scan.surface, context);
+                          : choose_unit_mm(mesh.vertices, settings.units, settings.unit);
+    mesh.vertices *= scan.unit_to_mm;
+    const TriangleFans fans = make_windings_alike(mesh, settings.windings, scan, context);
+    scan.pieces = find_pieces(mesh, settings.pieces);
+    const Vector weight = given_weights(cleaned, settings.weight_per_vertex);
+    ScanImages images = take_images(mesh, settings, context);
+    const Colors colors = images.sampler.empty()
+                              ? std::move(mesh.colors)
+                              : images.sampler.vertex_colors(mesh, settings.image_radius_mm);
+    scan.surface = build_scan_surface(std::move(mesh.vertices), std::move(mesh.triangles), fans,
+                                      settings.surface, context);
+    scan.surface.weight = weight;
+    scan.surface.images = std::move(images);
+    take_colors(colors, settings, scan.surface);
     scan.vertex_to_raw = std::move(cleaned.vertex_to_old);
     scan.triangle_to_raw = std::move(cleaned.triangle_to_old);
     return scan;

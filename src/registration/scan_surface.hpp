@@ -10,6 +10,7 @@
 #include "base/context.hpp"
 #include "mesh/image_sampler.hpp"
 #include "mesh/tri_mesh.hpp"
+#include "mesh/triangle_fans.hpp"
 #include "registration/color_signals.hpp"
 #include "registration/skin.hpp"
 #include "spatial/triangle_tree.hpp"
@@ -76,6 +77,9 @@ struct ScanSurface {
 /// `mesh` must have passed check_mesh(). Leaves `weight` and `colors` empty. O(V + F log F).
 ScanSurface build_scan_surface(const TriMesh& mesh, const ScanSurfaceSettings& settings,
                                const Context& context);
+/// The same of what the caller gives away, with the fans of the triangles.
+ScanSurface build_scan_surface(Points&& vertices, Triangles&& triangles, const TriangleFans& fans,
+                               const ScanSurfaceSettings& settings, const Context& context);
 
 /// A scan as one fit sees it. Triangles may face inwards, which the start finds out: then normals
 /// and bending are those of the other side. Borrows the surface; cheap to copy.

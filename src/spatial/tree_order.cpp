@@ -11,12 +11,12 @@
 namespace mien {
 namespace {
 
-constexpr std::size_t kTaskItems = 4096;  // below this a task sorts a range to the end by itself
+constexpr std::size_t kTaskRange = 4096;  // below this a task sorts a range to the end by itself
 constexpr std::size_t kFewItems = 32;     // ranges that are cut by counting
 constexpr std::size_t kBoxItems = 256;    // of larger ranges a sample tells the widest axis
 constexpr std::ptrdiff_t kSampleFrom = 1024;  // items whose pivots come from a sample
 
-struct Before {
+struct ComesBefore {
     int axis;
     bool operator()(const TreeItem& x, const TreeItem& y) const {
         return x.centroid[axis] < y.centroid[axis] ||
@@ -25,7 +25,7 @@ struct Before {
 };
 
 // Near the middle of the range.
-TreeItem middle_of_nine(const TreeItem* begin, const TreeItem* end, const Before& before) {
+TreeItem middle_of_nine(const TreeItem* begin, const TreeItem* end, const ComesBefore& before) {
     const auto middle_of_three = [&](const TreeItem* a, const TreeItem* b, const TreeItem* c) {
         if (before(*b, *a)) std::swap(a, b);
         if (before(*c, *b)) std::swap(b, c);
@@ -41,7 +41,7 @@ TreeItem middle_of_nine(const TreeItem* begin, const TreeItem* end, const Before
 // A little beyond the wanted place, seen from the range's middle: what is left to look at is all of
 // the smaller side, and soon little (Floyd and Rivest, Expected time bounds for selection, 1975).
 TreeItem pivot_beyond(const TreeItem* begin, const TreeItem* nth, const TreeItem* end,
-                      const Before& before) {
+                      const ComesBefore& before) {
     constexpr int kMost = 255;
     TreeItem sample[kMost];
     const std::ptrdiff_t count = end - begin;
@@ -61,7 +61,7 @@ void select_nth(TreeItem* begin, TreeItem* nth, TreeItem* end, int axis) {
     constexpr std::ptrdiff_t kFew = 8;  // the library's is as fast then
     constexpr int kMostRounds = 64;     // far more than good pivots need; then the library's, which
                                         // is never quadratic
-    const Before before{axis};
+    const ComesBefore before{axis};
     for (int round = 0; end - begin > kFew && round < kMostRounds; ++round) {
         const TreeItem pivot = end - begin >= kSampleFrom ? pivot_beyond(begin, nth, end, before)
                                                           : middle_of_nine(begin, end, before);
@@ -161,7 +161,7 @@ void order_for_tree(RawVector<TreeItem>& items, std::size_t leaf_size, const Con
     const std::size_t count = items.size();
     std::size_t half = leaf_size;
     while (2 * half < count) half *= 2;
-    for (; half >= kTaskItems; half /= 2)
+    for (; half >= kTaskRange; half /= 2)
         parallel_for(
             context, (count + 2 * half - 1) / (2 * half), 1, [&](std::size_t range, std::size_t) {
                 split(all + range * 2 * half, all + std::min(count, (range + 1) * 2 * half), half);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <Eigen/Geometry>
 
@@ -82,6 +83,46 @@ TEST(Winding, APatchThatTouchesNothingIsTurnedByWhereItFaces) {
     EXPECT_GT(count, 20);
     EXPECT_EQ(static_cast<Index>(report.turned.size()), count);
     EXPECT_GT(outward_share(mesh), 0.9);
+}
+
+TEST(Winding, APatchThatTouchesInOneVertexIsAPieceOfItsOwn) {
+    const TriMesh whole = ball(100);
+    const Index n = whole.vertices.rows();
+    TriMesh mesh = whole;
+    mesh.vertices.conservativeResize(2 * n, 3);
+    mesh.vertices.bottomRows(n) = whole.vertices;
+    std::vector<std::uint8_t> in_patch(static_cast<std::size_t>(mesh.triangles.rows()), 0),
+        at(static_cast<std::size_t>(n), 0);
+    for (Index t = 0; t < mesh.triangles.rows(); ++t) {
+        double sum = 0;
+        for (int k = 0; k < 3; ++k) sum += whole.vertices(whole.triangles(t, k), 0);
+        in_patch[static_cast<std::size_t>(t)] = sum > 3 * 40;
+        for (int k = 0; k < 3; ++k) at[whole.triangles(t, k)] |= sum > 3 * 40 ? 1 : 2;
+    }
+    const auto shared = static_cast<std::uint32_t>(std::find(at.begin(), at.end(), 3) - at.begin());
+    ASSERT_LT(shared, static_cast<std::uint32_t>(n));
+    std::vector<std::uint32_t> patch;
+    for (Index t = 0; t < mesh.triangles.rows(); ++t) {
+        if (!in_patch[static_cast<std::size_t>(t)]) continue;
+        patch.push_back(static_cast<std::uint32_t>(t));
+        for (int k = 0; k < 3; ++k)
+            if (mesh.triangles(t, k) != shared)
+                mesh.triangles(t, k) += static_cast<std::uint32_t>(n);
+        turn(mesh, t);
+    }
+    const WindingReport report = make_windings_consistent(mesh, WindingSettings(), Context());
+    EXPECT_EQ(report.num_pieces, 2);
+    EXPECT_EQ(report.turned, patch);
+    EXPECT_GT(report.outward, 0.9);
+}
+
+TEST(Winding, FansGivenAreThoseOfWhatWasTurned) {
+    TriMesh mesh = ball(100);
+    turn(mesh, 7);
+    TriangleFans fans(mesh.vertices.rows(), mesh.triangles, Context());
+    EXPECT_FALSE(fans.wound_alike());
+    make_windings_consistent(mesh, fans, WindingSettings(), Context());
+    EXPECT_TRUE(fans.wound_alike());
 }
 
 TEST(Winding, TheLargerPartKeepsItsWindingEvenInwards) {

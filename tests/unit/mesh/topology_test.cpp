@@ -185,4 +185,66 @@ TEST(HalfEdge, TheOrderOfTrianglesDoesNotMatter) {
     EXPECT_NO_THROW(build_half_edge_mesh(mesh, "grid", Context()));
 }
 
+// A grid of which many triangles are missing: full of vertices where pieces touch.
+TriMesh riddled_grid(unsigned seed) {
+    TriMesh mesh = grid(30);
+    std::mt19937 random(seed);
+    Triangles kept(0, 3);
+    for (Index t = 0; t < mesh.triangles.rows(); ++t) {
+        if (random() % 5 < 2) continue;
+        kept.conservativeResize(kept.rows() + 1, 3);
+        kept.row(kept.rows() - 1) = mesh.triangles.row(t);
+    }
+    mesh.triangles = kept;
+    return mesh;
+}
+
+TEST(Topology, PiecesAcrossEdgesAreThoseThatTheEdgesJoin) {
+    for (unsigned seed = 1; seed <= 5; ++seed) {
+        const TriMesh mesh = riddled_grid(seed);
+        const EdgeTable table = build_edge_table(mesh.triangles, mesh.vertices.rows(), Context());
+        std::vector<std::uint32_t> expected(static_cast<std::size_t>(mesh.triangles.rows()));
+        std::iota(expected.begin(), expected.end(), 0u);
+        for (bool changed = true; changed;) {  // the lowest triangle of each piece
+            changed = false;
+            for (std::size_t e = 0; e < table.num_edges(); ++e) {
+                if (table.num_sides(e) != 2) continue;
+                std::uint32_t& a = expected[table.sides[table.first_side[e]] / 3];
+                std::uint32_t& b = expected[table.sides[table.first_side[e] + 1] / 3];
+                changed = changed || a != b;
+                a = b = std::min(a, b);
+            }
+        }
+        const TriangleFans fans(mesh.vertices.rows(), mesh.triangles, Context());
+        ASSERT_TRUE(fans.wound_alike());
+        EXPECT_EQ(
+            static_cast<Index>(fans.pinched().size()),
+            inspect_topology(table, mesh.triangles, mesh.vertices.rows()).num_pinched_vertices);
+        EXPECT_GT(fans.pinched().size(), 20u);
+        const std::vector<std::uint32_t> pieces = pieces_across_edges(mesh.triangles, fans);
+        std::vector<std::uint32_t> first_of;
+        for (std::size_t t = 0; t < pieces.size(); ++t) {
+            if (pieces[t] == first_of.size()) first_of.push_back(static_cast<std::uint32_t>(t));
+            ASSERT_LT(pieces[t], first_of.size());
+            EXPECT_EQ(first_of[pieces[t]], expected[t]);
+        }
+        EXPECT_GT(first_of.size(), 5u);
+    }
+}
+
+// More triangles around a vertex than are walked around.
+TEST(Topology, AManySidedFanIsWoundAlikeUntilOneTurns) {
+    constexpr std::uint32_t kSides = 60;
+    TriMesh mesh;
+    mesh.vertices = Points::Random(kSides + 1, 3);
+    mesh.triangles.resize(kSides, 3);
+    for (std::uint32_t k = 0; k < kSides; ++k)
+        mesh.triangles.row(k) << 0, 1 + k, 1 + (k + 1) % kSides;
+    const auto fans = [&] { return TriangleFans(kSides + 1, mesh.triangles, Context()); };
+    EXPECT_TRUE(fans().wound_alike());
+    EXPECT_EQ(pieces_across_edges(mesh.triangles, fans()), std::vector<std::uint32_t>(kSides, 0));
+    std::swap(mesh.triangles(7, 1), mesh.triangles(7, 2));
+    EXPECT_FALSE(fans().wound_alike());
+}
+
 }  // namespace

@@ -1,5 +1,5 @@
 // Means over the triangles around a vertex, and borders, of surfaces whole and torn.
-#include "registration/scan_fans.hpp"
+#include "mesh/triangle_fans.hpp"
 
 #include <gtest/gtest.h>
 
