@@ -102,10 +102,11 @@ void keep_mutual(const PointsRef& places, double mutual_mm, Correspondences& fou
 
 void find_correspondences(const ScanView& scan, const PointsRef& places,
                           const PointsRef& place_normals, const CorrespondenceSettings& settings,
-                          Correspondences& result, const Context& context) {
+                          Correspondences& result, const Context& context,
+                          const std::vector<std::uint8_t>& left_out) {
     const Index n = places.rows();
     const ScanSurface& surface = scan.surface();
-    surface.tree.closest(places, settings.max_distance_mm, result.hits, context);
+    surface.tree.closest(places, settings.max_distance_mm, left_out, result.hits, context);
     result.normals.resize(n, 3);
     result.weight.resize(n);
     const bool by_angle = settings.max_angle_deg < 180;

@@ -26,6 +26,7 @@ std::vector<Index> choose_rows(Index num_vertices, Index stride, const std::vect
 // The vertices that the rounds look at, and where each stands in the terms.
 struct Rows {
     std::vector<Index> row_of, vertex_of;
+    std::vector<std::uint8_t> inner;  // #rows, or empty: walls, which stand for no place of a scan
 };
 
 // Points the solver at every stride-th vertex (1: all).
@@ -117,10 +118,8 @@ double run_round(const FitProblem& problem, const LoopSettings& settings, double
     const CorrespondenceSettings match = filters_at(settings, sigma_mm);
     const Points normals = vertex_normals(state.places, model.template_mesh.triangles);
     find_correspondences(problem.scan, pick_rows(state.places, loop.rows),
-                         pick_rows(normals, loop.rows), match, loop.matches, context);
-    for (Index row = 0; row < loop.solver.num_rows() && !problem.inner.empty(); ++row)
-        if (problem.inner[static_cast<std::size_t>(loop.solver.vertex(row))])
-            loop.matches.weight[row] = 0;
+                         pick_rows(normals, loop.rows), match, loop.matches, context,
+                         loop.rows.inner);
 
     const Similarity to_model = state.motion.inverse();
     const EvidenceRound round{
@@ -173,6 +172,10 @@ FitTrace run_fit(const FitProblem& problem, const FitFreedom& freedom, const Loo
             loop.stride = wanted;
             loop.rows =
                 use_stride(model, wanted, problem.pins, state.coefficients, loop.solver, context);
+            for (std::size_t row = 0; row < loop.rows.vertex_of.size() && !problem.inner.empty();
+                 ++row)
+                loop.rows.inner.push_back(
+                    problem.inner[static_cast<std::size_t>(loop.rows.vertex_of[row])]);
             loop.matches.hits.clear();
         }
         step.scalar_modes =

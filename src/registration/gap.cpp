@@ -16,11 +16,13 @@ Vector raise_field(const ScanView& scan, const Triangles& triangles, const Verte
     filter.max_distance_mm = settings.reach * robust_scale_mm;
     Correspondences found;
     Vector weight(n), gap(n);
+    std::vector<std::uint8_t> left_out(static_cast<std::size_t>(n));
+    for (Index i = 0; i < n; ++i) left_out[static_cast<std::size_t>(i)] = trust[i] == 0;
     GapField field(rings);
     for (int round = 0; round < settings.rounds; ++round) {
         context.progress(Stage::refining, static_cast<double>(round) / settings.rounds);
         const Points normals = vertex_normals(places, triangles);
-        find_correspondences(scan, places, normals, filter, found, context);
+        find_correspondences(scan, places, normals, filter, found, context, left_out);
         for (Index i = 0; i < n; ++i) {
             weight[i] = found.weight[i] * trust[i];
             // The gap to the plane through the hit, seen along the template's normal.

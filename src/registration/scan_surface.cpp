@@ -77,35 +77,8 @@ void smooth_normals(ScanSurface& scan, const TriangleFans& fans,
         });
 }
 
-// Twice a triangle's area times its S: the normals m are linear over the triangle, S is their
-// gradient in its plane, made symmetric. In a frame of the plane with the first axis along x1 - x0,
-// of length l, and x2 - x1 = (p, q), the normals being (a, b) there,
-//
-//   S = ( (a1 - a0) q               .                  )
-//       ( [(a0 - a1) p + (a2 - a1) l + (b1 - b0) q] / 2   (b0 - b1) p + (b2 - b1) l ).
-Eigen::Matrix<float, 1, 8> triangle_bending(const Vector3* x, const Vector3* m, double& twice) {
-    const Vector3 e = x[1] - x[0], f = x[2] - x[1], cross = e.cross(f);
-    const double length = e.norm();
-    twice = cross.norm();
-    Eigen::Matrix<float, 1, 8> packed = Eigen::Matrix<float, 1, 8>::Zero();
-    if (!(twice > kTiny_mm) || !(length > 0)) return packed;
-    const Vector3 u = e / length, v = cross.cross(u) / twice;
-    const double p = u.dot(f), q = v.dot(f);
-    const Vector3 n01 = m[0] - m[1], n21 = m[2] - m[1];
-    const double a01 = u.dot(n01), b01 = v.dot(n01), a21 = u.dot(n21), b21 = v.dot(n21);
-    const double s_uu = -a01 * q, s_vv = b01 * p + b21 * length,
-                 s_uv = 0.5 * (a01 * p + a21 * length - b01 * q);
-    const Vector3 along = s_uu * u + s_uv * v, across = s_uv * u + s_vv * v;
-    packed.head<6>() << static_cast<float>(along[0] * u[0] + across[0] * v[0]),
-        static_cast<float>(along[1] * u[1] + across[1] * v[1]),
-        static_cast<float>(along[2] * u[2] + across[2] * v[2]),
-        static_cast<float>(along[0] * u[1] + across[0] * v[1]),
-        static_cast<float>(along[0] * u[2] + across[0] * v[2]),
-        static_cast<float>(along[1] * u[2] + across[1] * v[2]);
-    return packed;
-}
-
-// Means by area over the triangles around each vertex, averaged over `smoothing_mm`.
+// S from the gradient of the vertex normals over each triangle: n(x) is linear there, S = grad n in
+// the plane of the triangle, made symmetric; area-weighted means go to the vertices.
 void find_bending(ScanSurface& scan, const TriangleFans& fans, const ScanSurfaceSettings& settings,
                   const Context& context) {
     const Index n = scan.vertices.rows(), count = scan.triangles.rows();
@@ -117,11 +90,24 @@ void find_bending(ScanSurface& scan, const TriangleFans& fans, const ScanSurface
             x[k] = scan.vertices.row(scan.triangles(t, k)).transpose();
             m[k] = scan.normals.row(scan.triangles(t, k)).transpose();
         }
-        double twice = 0;
-        const Eigen::Matrix<float, 1, 8> bending = triangle_bending(x, m, twice);
+        const Vector3 cross = (x[1] - x[0]).cross(x[2] - x[0]);
+        const double twice = cross.norm();
         if (!(twice > kTiny_mm)) continue;
+        const Vector3 normal = cross / twice;
+        Matrix3 gradient = Matrix3::Zero();  // sum of n_k (grad of the hat function k)'
+        for (int k = 0; k < 3; ++k)
+            gradient += m[k] * normal.cross(x[(k + 2) % 3] - x[(k + 1) % 3]).transpose();
+        gradient /= twice;
+        const Matrix3 flat = Matrix3::Identity() - normal * normal.transpose();
+        gradient = flat * gradient;
+        const Matrix3 s = 0.5 * (gradient + gradient.transpose());
+        Eigen::Matrix<float, 1, 8> packed = Eigen::Matrix<float, 1, 8>::Zero();
+        packed.head<6>() =
+            (Eigen::Matrix<double, 1, 6>() << s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(0, 2), s(1, 2))
+                .finished()
+                .cast<float>();
         for (int k = 0; k < 3; ++k) {
-            field.row(scan.triangles(t, k)) += bending;
+            field.row(scan.triangles(t, k)) += static_cast<float>(twice) * packed;
             area[scan.triangles(t, k)] += static_cast<float>(twice);
         }
     }

@@ -293,14 +293,26 @@ std::vector<std::uint64_t> TriangleTree::order_of(const std::vector<SurfaceHit>&
 
 void TriangleTree::closest(const PointsRef& points, double max_distance,
                            std::vector<SurfaceHit>& hits, const Context& context) const {
+    closest(points, max_distance, {}, hits, context);
+}
+
+void TriangleTree::closest(const PointsRef& points, double max_distance,
+                           const std::vector<std::uint8_t>& left_out, std::vector<SurfaceHit>& hits,
+                           const Context& context) const {
     const std::size_t count = static_cast<std::size_t>(points.rows());
     if (hits.size() != count) hits.assign(count, SurfaceHit());
+    if (!left_out.empty() && left_out.size() != count)
+        fail(Status::mismatch, "%zu marks for %zu places to look from", left_out.size(), count);
     // Each answer is its own, so that their order is free: neighbours in the tree one after the
     // other find its blocks in the cache.
     const std::vector<std::uint64_t> order = order_of(hits);
     parallel_for(context, count, 256, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
             const std::size_t i = order.empty() ? k : order[k] & kLowHalf;
+            if (!left_out.empty() && left_out[i]) {
+                hits[i] = SurfaceHit();
+                continue;
+            }
             hits[i] = closest(points.row(static_cast<Index>(i)).transpose(), max_distance,
                               hits[i].triangle);
         }

@@ -62,6 +62,12 @@ class TriangleTree {
     void closest(const PointsRef& points, double max_distance, std::vector<SurfaceHit>& hits,
                  const Context& context) const;
 
+    /// The same but for rows that `left_out` marks (as many as points, or none), whose hits become
+    /// invalid.
+    void closest(const PointsRef& points, double max_distance,
+                 const std::vector<std::uint8_t>& left_out, std::vector<SurfaceHit>& hits,
+                 const Context& context) const;
+
     /// First hit with 0 <= t <= max_t; both sides count. Never hits a cloud of points.
     RayHit first_hit(const Vector3& origin, const Vector3& direction,
                      double max_t = std::numeric_limits<double>::infinity()) const;
