@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "base/error.hpp"
+#include "mesh/triangle_fans.hpp"
 
 namespace mien {
 namespace {

@@ -8,9 +8,10 @@
 
 #include "base/context.hpp"
 #include "base/types.hpp"
-#include "mesh/triangle_fans.hpp"
 
 namespace mien {
+
+class TriangleFans;
 
 /// Undirected edges (a < b) in lexicographic order, each with the triangle sides that lie on it.
 /// A side 3 t + k runs from corner k to corner (k + 1) % 3 of triangle t. Sides that connect a

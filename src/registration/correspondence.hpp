@@ -47,8 +47,8 @@ struct Correspondences {
 };
 
 /// `places` and `place_normals` are the template's, #V x 3, scan frame. Old hits in `result` are
-/// used as hints. Vertices that `left_out` marks (#V, or none) are not looked for: weight 0, no hit.
-/// O(#V log F); seven times as many searches when soft, one more when mutual.
+/// used as hints. Vertices that `left_out` marks (#V, or none) are not looked for: weight 0, no
+/// hit. O(#V log F); seven times as many searches when soft, one more when mutual.
 void find_correspondences(const ScanView& scan, const PointsRef& places,
                           const PointsRef& place_normals, const CorrespondenceSettings& settings,
                           Correspondences& result, const Context& context,

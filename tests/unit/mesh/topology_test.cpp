@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "mesh/half_edge.hpp"
+#include "mesh/triangle_fans.hpp"
 #include "unit/mesh/sample_meshes.hpp"
 
 namespace {
