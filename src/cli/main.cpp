@@ -113,7 +113,8 @@ int run_command_line(int argc, char** argv) {
 void keep_freed_memory() {
 #if defined(__GLIBC__)
     constexpr int kMost = 512 << 20, kStep = 16 << 20;  // bytes
-    mallopt(M_MMAP_THRESHOLD, kStep);
+    constexpr int kLargest = 32 << 20;                  // more is refused
+    mallopt(M_MMAP_THRESHOLD, kLargest);
     mallopt(M_TRIM_THRESHOLD, kMost);
     mallopt(M_TOP_PAD, kStep);
 #endif

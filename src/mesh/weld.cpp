@@ -1,5 +1,6 @@
 #include "mesh/weld.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 namespace mien {
@@ -40,26 +41,36 @@ WeldedPoints weld_points(const PointsRef& points, const Context& context) {
     std::vector<Slot> table(slots, Slot{0, kFree});
     WeldedPoints welded;
     welded.class_of.resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        if (i % (1 << 16) == 0) context.check_cancelled();
+    const auto put = [&](std::size_t i, std::uint64_t hash) {
         const auto point = points.row(static_cast<Index>(i));
-        const std::uint64_t hash = hash_of(point.data());
         const std::uint32_t check = static_cast<std::uint32_t>(hash >> 32);
-        std::size_t slot = static_cast<std::size_t>(hash) & (slots - 1);
-        for (;; slot = (slot + 1) & (slots - 1)) {
+        for (std::size_t slot = static_cast<std::size_t>(hash) & (slots - 1);;
+             slot = (slot + 1) & (slots - 1)) {
             Slot& entry = table[slot];
             if (entry.number == kFree) {
                 entry = Slot{check, static_cast<std::uint32_t>(welded.first_point.size())};
                 welded.first_point.push_back(static_cast<std::uint32_t>(i));
                 welded.class_of[i] = entry.number;
-                break;
+                return;
             }
             if (entry.hash == check &&
                 points.row(static_cast<Index>(welded.first_point[entry.number])) == point) {
                 welded.class_of[i] = entry.number;
-                break;
+                return;
             }
         }
+    };
+    // The table is larger than the cache: slots are called for some points ahead.
+    constexpr std::size_t kAhead = 32;
+    std::uint64_t hashes[kAhead];
+    for (std::size_t first = 0; first < count; first += kAhead) {
+        if (first % (1 << 16) == 0) context.check_cancelled();
+        const std::size_t last = std::min(count, first + kAhead);
+        for (std::size_t i = first; i < last; ++i) {
+            hashes[i - first] = hash_of(points.row(static_cast<Index>(i)).data());
+            __builtin_prefetch(&table[static_cast<std::size_t>(hashes[i - first]) & (slots - 1)]);
+        }
+        for (std::size_t i = first; i < last; ++i) put(i, hashes[i - first]);
     }
     return welded;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 #include "base/error.hpp"
 
@@ -24,31 +25,44 @@ double mean_edge(const TriMesh& mesh) {
 std::vector<std::uint32_t> mirror_map(const TriMesh& mesh) {
     const Index n = mesh.vertices.rows();
     const double reach = mean_edge(mesh);
-    // Sorted along y: only vertices within reach of an image are looked at.
-    std::vector<std::uint32_t> by_y(static_cast<std::size_t>(n));
-    std::iota(by_y.begin(), by_y.end(), 0u);
-    std::sort(by_y.begin(), by_y.end(), [&](std::uint32_t a, std::uint32_t b) {
-        const double ya = mesh.vertices(a, 1), yb = mesh.vertices(b, 1);
-        return ya != yb ? ya < yb : a < b;
-    });
+    // In cells of y and z as wide as the reach, sorted: only vertices of the cells about an image
+    // are looked at.
+    const auto cell = [&](double place) {
+        constexpr double kMost = 1e9;  // a template without edges has cells of no width
+        return static_cast<std::int64_t>(std::floor(std::clamp(place / reach, -kMost, kMost)));
+    };
+    struct Entry {
+        std::int64_t y, z;
+        std::uint32_t vertex;
+        bool operator<(const Entry& other) const {
+            return std::tie(y, z, vertex) < std::tie(other.y, other.z, other.vertex);
+        }
+    };
+    std::vector<Entry> entries;
+    for (Index v = 0; v < n; ++v)
+        entries.push_back(
+            {cell(mesh.vertices(v, 1)), cell(mesh.vertices(v, 2)), static_cast<std::uint32_t>(v)});
+    std::sort(entries.begin(), entries.end());
     std::vector<std::uint32_t> mirror(static_cast<std::size_t>(n));
     for (Index v = 0; v < n; ++v) {
         const Eigen::RowVector3d image(-mesh.vertices(v, 0), mesh.vertices(v, 1),
                                        mesh.vertices(v, 2));
-        auto at =
-            std::lower_bound(by_y.begin(), by_y.end(), image[1] - reach,
-                             [&](std::uint32_t a, double y) { return mesh.vertices(a, 1) < y; });
         double best = reach * reach;
         bool found = false;
-        for (; at != by_y.end() && mesh.vertices(*at, 1) <= image[1] + reach; ++at) {
-            const double squared = (mesh.vertices.row(*at) - image).squaredNorm();
+        const auto look_at = [&](std::uint32_t other) {
+            const double squared = (mesh.vertices.row(other) - image).squaredNorm();
             if (squared < best ||
-                (squared == best && found && *at < mirror[static_cast<std::size_t>(v)])) {
+                (squared == best && found && other < mirror[static_cast<std::size_t>(v)])) {
                 best = squared;
-                mirror[static_cast<std::size_t>(v)] = *at;
+                mirror[static_cast<std::size_t>(v)] = other;
                 found = true;
             }
-        }
+        };
+        const std::int64_t y = cell(image[1]), z = cell(image[2]);
+        for (std::int64_t row = y - 1; row <= y + 1; ++row)
+            for (auto at = std::lower_bound(entries.begin(), entries.end(), Entry{row, z - 1, 0});
+                 at != entries.end() && at->y == row && at->z <= z + 1; ++at)
+                look_at(at->vertex);
         if (!found)
             fail_at(Status::invalid_mesh, v,
                     "the template is not symmetric about x = 0: no vertex within %.3g mm of the "

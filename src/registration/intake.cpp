@@ -71,6 +71,8 @@ PreparedScan prepare_scan(const TriMesh& raw, const IntakeSettings& settings,
     check_weights(settings.weight_per_vertex, raw.vertices.rows());
     CleanedMesh cleaned = clean_mesh(raw, CleaningOptions(), context);
     TriMesh& mesh = cleaned.mesh;
+    cleaned.vertex_to_new = {};  // not asked for
+    cleaned.triangle_to_new = {};
     PreparedScan scan;
     scan.unit_to_mm = settings.unit_to_mm > 0
                           ? settings.unit_to_mm

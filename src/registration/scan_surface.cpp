@@ -78,39 +78,59 @@ void smooth_normals(ScanSurface& scan, const TriangleFans& fans,
 }
 
 // S from the gradient of the vertex normals over each triangle: n(x) is linear there, S = grad n in
-// the plane of the triangle, made symmetric; area-weighted means go to the vertices.
+// the plane of the triangle, made symmetric. S and twice the area, 0 where there is no direction.
+Eigen::Matrix<float, 1, 8> triangle_bending(const ScanSurface& scan, Index t) {
+    Vector3 x[3], m[3];
+    for (int k = 0; k < 3; ++k) {
+        x[k] = scan.vertices.row(scan.triangles(t, k)).transpose();
+        m[k] = scan.normals.row(scan.triangles(t, k)).transpose();
+    }
+    Eigen::Matrix<float, 1, 8> packed = Eigen::Matrix<float, 1, 8>::Zero();
+    const Vector3 cross = (x[1] - x[0]).cross(x[2] - x[0]);
+    const double twice = cross.norm();
+    if (!(twice > kTiny_mm)) return packed;
+    const Vector3 normal = cross / twice;
+    Matrix3 gradient = Matrix3::Zero();  // sum of n_k (grad of the hat function k)'
+    for (int k = 0; k < 3; ++k)
+        gradient += m[k] * normal.cross(x[(k + 2) % 3] - x[(k + 1) % 3]).transpose();
+    gradient /= twice;
+    const Matrix3 flat = Matrix3::Identity() - normal * normal.transpose();
+    gradient = flat * gradient;
+    const Matrix3 s = 0.5 * (gradient + gradient.transpose());
+    packed.head<7>() = (Eigen::Matrix<double, 1, 7>() << s(0, 0), s(1, 1), s(2, 2), s(0, 1),
+                        s(0, 2), s(1, 2), twice)
+                           .finished()
+                           .cast<float>();
+    return packed;
+}
+
+// Area-weighted means go to the vertices, then averages over smoothing_mm.
 void find_bending(ScanSurface& scan, const TriangleFans& fans, const ScanSurfaceSettings& settings,
                   const Context& context) {
+    // Triangles are looked at by all threads, and added in their order by one: so many at a time.
+    constexpr Index kWindow = 1 << 16;
     const Index n = scan.vertices.rows(), count = scan.triangles.rows();
-    PackedBending field = PackedBending::Zero(n, 8), sums(n, 8);
+    PackedBending field = PackedBending::Zero(n, 8), sums(std::min(count, kWindow), 8);
     std::vector<float> area(static_cast<std::size_t>(n), 0.0f);
-    for (Index t = 0; t < count; ++t) {
-        Vector3 x[3], m[3];
-        for (int k = 0; k < 3; ++k) {
-            x[k] = scan.vertices.row(scan.triangles(t, k)).transpose();
-            m[k] = scan.normals.row(scan.triangles(t, k)).transpose();
-        }
-        const Vector3 cross = (x[1] - x[0]).cross(x[2] - x[0]);
-        const double twice = cross.norm();
-        if (!(twice > kTiny_mm)) continue;
-        const Vector3 normal = cross / twice;
-        Matrix3 gradient = Matrix3::Zero();  // sum of n_k (grad of the hat function k)'
-        for (int k = 0; k < 3; ++k)
-            gradient += m[k] * normal.cross(x[(k + 2) % 3] - x[(k + 1) % 3]).transpose();
-        gradient /= twice;
-        const Matrix3 flat = Matrix3::Identity() - normal * normal.transpose();
-        gradient = flat * gradient;
-        const Matrix3 s = 0.5 * (gradient + gradient.transpose());
-        Eigen::Matrix<float, 1, 8> packed = Eigen::Matrix<float, 1, 8>::Zero();
-        packed.head<6>() =
-            (Eigen::Matrix<double, 1, 6>() << s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(0, 2), s(1, 2))
-                .finished()
-                .cast<float>();
-        for (int k = 0; k < 3; ++k) {
-            field.row(scan.triangles(t, k)) += static_cast<float>(twice) * packed;
-            area[scan.triangles(t, k)] += static_cast<float>(twice);
+    for (Index first = 0; first < count; first += kWindow) {
+        const Index many = std::min(kWindow, count - first);
+        parallel_for(context, static_cast<std::size_t>(many), kChunk,
+                     [&](std::size_t begin, std::size_t end) {
+                         for (Index t = static_cast<Index>(begin); t < static_cast<Index>(end); ++t)
+                             sums.row(t) = triangle_bending(scan, first + t);
+                     });
+        for (Index t = 0; t < many; ++t) {
+            const float twice = sums(t, 6);
+            if (!(twice > 0)) continue;
+            Eigen::Matrix<float, 1, 8> packed = sums.row(t);
+            packed[6] = 0;
+            for (int k = 0; k < 3; ++k) {
+                field.row(scan.triangles(first + t, k)) += twice * packed;
+                area[scan.triangles(first + t, k)] += twice;
+            }
         }
     }
+    sums.resize(n, 8);
     for (Index i = 0; i < n; ++i)
         if (area[static_cast<std::size_t>(i)] > 0)
             field.row(i) /= area[static_cast<std::size_t>(i)];
@@ -126,6 +146,7 @@ void find_bending(ScanSurface& scan, const TriangleFans& fans, const ScanSurface
             });
         field.swap(sums);
     }
+    sums.resize(0, 8);
     scan.bending = field.leftCols<6>();
 }
 

@@ -257,16 +257,21 @@ SurfaceHit TriangleTree::closest(const Vector3& point, double max_distance,
         const TriangleTree& tree;
         Vector3 query;
         SurfaceHit best;
-    } search{*this, point - centre_, SurfaceHit()};
+        std::uint32_t known_slot;  // judged already
+    } search{*this, point - centre_, SurfaceHit(), SurfaceHit::kNone};
     SurfaceHit& best = search.best;
     if (nodes_.empty()) return best;
     best.squared_distance = max_distance * max_distance;
-    if (hint < slot_of_.size()) test_slot(slot_of_[hint], search.query, best);
+    if (hint < slot_of_.size()) {
+        search.known_slot = slot_of_[hint];
+        test_slot(search.known_slot, search.query, best);
+    }
     loops().around(
         view(), search.query.data(), best.squared_distance,
         [](void* given, std::uint32_t slot) {
             Search& running = *static_cast<Search*>(given);
-            running.tree.test_slot(slot, running.query, running.best);
+            if (slot != running.known_slot)
+                running.tree.test_slot(slot, running.query, running.best);
             return running.best.squared_distance;
         },
         &search);
