@@ -33,32 +33,47 @@ Hanging find_hanging(const TriMesh& mesh, const VertexRings& rings,
                      const std::vector<std::uint8_t>& inner, const std::vector<std::uint32_t>& open,
                      const std::vector<Index>& hidden, const InnerSettings& settings,
                      const Context& context) {
+    constexpr std::size_t kRoots = 8;  // at a time: each walks on paths of its own
     const std::size_t n = inner.size();
     const PathGraph graph = build_path_graph(mesh.vertices, rings);
     Hanging hanging{std::vector<Index>(n, -1), std::vector<std::vector<Carrier>>(n)};
+    // Whatever leads to a wall comes by an open vertex beside one.
     std::vector<double> path_mm(n, kFar);
-    walk_paths(graph, open, kFar, path_mm, [&](const ReachedVertex& at) {
+    std::vector<std::uint32_t> beside;
+    for (const std::uint32_t v : open) {
+        path_mm[v] = 0;
+        const auto around = rings.of(v);
+        if (std::any_of(around.begin(), around.end(), [&](std::uint32_t w) { return inner[w]; })) {
+            path_mm[v] = kFar;
+            beside.push_back(v);
+        }
+    }
+    walk_paths(graph, beside, kFar, path_mm, [&](const ReachedVertex& at) {
         hanging.root[at.vertex] = static_cast<Index>(at.source);
     });
-    std::fill(path_mm.begin(), path_mm.end(), kFar);
-    std::vector<std::uint32_t> touched;
-    for (const Index v : hidden) {
-        const Index from = hanging.root[static_cast<std::size_t>(v)];
-        if (from < 0 || !hanging.around[static_cast<std::size_t>(from)].empty()) continue;
-        std::vector<Carrier>& carriers = hanging.around[static_cast<std::size_t>(from)];
-        touched.clear();
-        walk_paths(
-            graph, {static_cast<std::uint32_t>(from)}, settings.far_path_mm, path_mm,
-            [&](const ReachedVertex& at) {
-                touched.push_back(at.vertex);
-                if (!inner[at.vertex])
-                    carriers.push_back({static_cast<Index>(at.vertex),
-                                        fade((settings.far_path_mm - at.path) /
-                                             (settings.far_path_mm - settings.near_path_mm))});
-            });
-        for (const std::uint32_t t : touched) path_mm[t] = kFar;
-        context.check_cancelled();
-    }
+    std::vector<std::uint32_t> roots;
+    for (const Index v : hidden)
+        if (hanging.root[static_cast<std::size_t>(v)] >= 0)
+            roots.push_back(static_cast<std::uint32_t>(hanging.root[static_cast<std::size_t>(v)]));
+    std::sort(roots.begin(), roots.end());
+    roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
+    parallel_for(context, roots.size(), kRoots, [&](std::size_t begin, std::size_t end) {
+        std::vector<double> own_path_mm(n, kFar);
+        std::vector<std::uint32_t> touched;
+        for (std::size_t k = begin; k < end; ++k) {
+            std::vector<Carrier>& carriers = hanging.around[roots[k]];
+            walk_paths(
+                graph, {roots[k]}, settings.far_path_mm, own_path_mm, [&](const ReachedVertex& at) {
+                    touched.push_back(at.vertex);
+                    if (!inner[at.vertex])
+                        carriers.push_back({static_cast<Index>(at.vertex),
+                                            fade((settings.far_path_mm - at.path) /
+                                                 (settings.far_path_mm - settings.near_path_mm))});
+                });
+            for (const std::uint32_t t : touched) own_path_mm[t] = kFar;
+            touched.clear();
+        }
+    });
     return hanging;
 }
 
