@@ -64,25 +64,25 @@ void TriangleFans::inspect(std::size_t vertex, bool& alike, std::vector<std::uin
         return;
     }
     // follower[k]: the triangle that begins where k ends.
-    constexpr std::uint32_t kNone = kMostCompared;
+    constexpr std::uint32_t kNoFollower = kMostCompared;
     std::uint32_t follower[kMostCompared], first = 0, num_ends = 0;
     bool led[kMostCompared] = {}, alike_here = true;
     for (std::uint32_t k = 0; k < count; ++k) {
-        follower[k] = kNone;
+        follower[k] = kNoFollower;
         for (std::uint32_t j = 0; j < count; ++j) {
             if (j != k) alike_here &= next[j] != next[k] && previous[j] != previous[k];
             if (next[j] != previous[k]) continue;
             follower[k] = j;
             led[j] = true;
         }
-        num_ends += follower[k] == kNone;
+        num_ends += follower[k] == kNoFollower;
     }
     alike = alike && alike_here;
     whole_[vertex] = alike_here && num_ends == 0;
     for (std::uint32_t k = 0; k < count; ++k)
         if (!led[k]) first = k;
     std::uint32_t steps = 0;
-    for (std::uint32_t k = first; k != kNone && steps < count; k = follower[k]) {
+    for (std::uint32_t k = first; k != kNoFollower && steps < count; k = follower[k]) {
         ++steps;
         if (follower[k] == first) break;
     }
