@@ -59,7 +59,9 @@ typedef struct mien_study_value {
     double sd;                 /**< standard deviation */
     double low;                /**< of the interval at the study's level */
     double high;               /**< of the interval at the study's level */
-    double limit_of_detection; /**< a smaller size cannot be told from no change */
+    double limit_of_detection; /**< the minimal detectable change: a smaller size cannot be told from no
+                                  change at the study's level, as the interval holds zero; from
+                                  repeated captures where there are enough */
 } mien_study_value;
 
 /** Why a change has no deviation. */

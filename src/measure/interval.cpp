@@ -5,16 +5,16 @@
 
 namespace mien {
 
-Interval normal_interval(double value, double sd, double level) {
+double minimal_detectable_change(double sd, double level) {
     if (!(level > 0) || !(level < 1))
         fail(Status::invalid_argument, "a level of confidence of %g; give one between 0 and 1",
              level);
-    const double half = normal_quantile(0.5 + 0.5 * level) * sd;
-    return {value - half, value + half};
+    return normal_quantile(0.5 + 0.5 * level) * sd;
 }
 
-double propagated_detection_limit(double sd) {
-    return 2.0 * normal_quantile(0.95) * sd;
+Interval normal_interval(double value, double sd, double level) {
+    const double half = minimal_detectable_change(sd, level);
+    return {value - half, value + half};
 }
 
 }  // namespace mien

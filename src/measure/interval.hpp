@@ -14,9 +14,9 @@ struct Interval {
 /// Not a number throughout when sd is none. Throws Status::invalid_argument unless 0 < level < 1.
 Interval normal_interval(double value, double sd, double level);
 
-/// What a change must reach to be told from none when no blanks were measured: a limit of blank,
-/// exceeded by 5 % of unchanged subjects, and a detection above it, missed by 5 % of subjects that
-/// changed by so much. 2 z(0.95) sd, in the unit of sd; not a number for such a sd.
-double propagated_detection_limit(double sd);
+/// The minimal detectable change: what a measured change must reach to be told from none, as its
+/// interval of that level then leaves zero out. An unchanged subject exceeds it, in either
+/// direction, with probability 1 - level. z sd, in the unit of sd; not a number for such a sd.
+double minimal_detectable_change(double sd, double level);
 
 }  // namespace mien

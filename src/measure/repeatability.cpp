@@ -63,6 +63,8 @@ DetectionLimit detection_limit(const std::vector<double>& blanks) {
     const double step = student_t_quantile(0.95, result.degrees) * result.blank_sd;
     result.limit_of_blank = std::fabs(result.blank_mean) + step;
     result.limit_of_detection = result.limit_of_blank + step;
+    result.minimal_detectable_change =
+        std::fabs(result.blank_mean) + student_t_quantile(0.975, result.degrees) * result.blank_sd;
     return result;
 }
 

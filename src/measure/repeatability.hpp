@@ -28,6 +28,8 @@ struct DetectionLimit {
     double blank_sd = 0.0;
     double limit_of_blank = 0.0;      ///< blank_mean + z(0.95) sd: exceeded by 5 % of blanks
     double limit_of_detection = 0.0;  ///< limit_of_blank + z(0.95) sd: missed in 5 % of cases
+    /// blank_mean + z(0.975) sd: what a measured change must exceed to be called real, either way.
+    double minimal_detectable_change = 0.0;
     double degrees = 0.0;
 };
 

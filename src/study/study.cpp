@@ -60,7 +60,7 @@ void Study::measure_blanks(const Context& context) {
     for (std::size_t z = 0; z < num_zones; ++z)
         if (blanks[z][0].size() >= kFewestBlanks)
             for (const std::vector<double>& values : blanks[z])
-                limits_[z].push_back(detection_limit(values).limit_of_detection);
+                limits_[z].push_back(detection_limit(values).minimal_detectable_change);
 }
 
 PairChange Study::measured(const Context& context, std::size_t first, std::size_t second) const {

@@ -222,7 +222,7 @@ class PairMeasure {
             value->low = interval.low - std::max(0.0, value->noise_bias);
             value->high = interval.high - std::min(0.0, value->noise_bias);
             value->limit_of_detection =
-                std::fabs(value->noise_bias) + propagated_detection_limit(value->sd);
+                std::fabs(value->noise_bias) + minimal_detectable_change(value->sd, level);
         }
         change.gained_ml.low = std::max(0.0, change.gained_ml.low);
         change.lost_ml.high = std::min(0.0, change.lost_ml.high);

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""How well does the whole road measure a simulated injection into a cheek?
+"""How well does the whole road measure a simulated injection, into a cheek or where else clinics treat?
 
   injection_study.py --mien build/release/bin/mien --shared ../shared --model face.safetensors \\
                      --expressions expressions.safetensors --work /tmp/injection --subjects 20
@@ -10,7 +10,8 @@ expressions off all visits together, the treated cheek being no witness, aligns 
 injected and against what of it lies in the zone by the simulated faces themselves (the rim cuts off some 5 % of
 the wide hill and 0.2 % of the one that ends inside): median, median error, mean stated deviation, how often the 95 % interval holds the truth, and how often the change
 is called below the limit of detection. 0 mL: the other cheek. "as fitted": with the expression left on.
-"and around": the cheek zone with the margin of `mien report` around it.
+"and around": the treated zone with the margin of `mien report` around it.
+Other places: --treat lips=0:0.5,nose=0:0.4,tear_trough_left=0:0.25,chin=0:1; each place is measured on visits of its own.
 """
 import argparse
 import copy
@@ -23,17 +24,35 @@ import numpy as np
 
 SPREAD_MM = 14.0  # of the hill, a Gaussian at its top
 FADE_MM = 12.0
+TROUGH_REACH_MM = 12.0  # of the made zone under an eye, about a point 8 mm under the inner half of the lower lid
+
+
+def all_zones(shared):
+    """The shared zones, the lips, and a tear trough, which the shared data has no zone for."""
+    from mien_data import read_mesh
+    listed = json.loads((shared / "data/ict/zones.json").read_text())
+    zones = dict(listed["zones"], lips=listed["lips"])
+    places = json.loads((shared / "data/ict/landmarks.json").read_text())["vertices"]
+    vertices = read_mesh(shared / "data/ict/template.ply")[0]
+    corner, lid = vertices[places["eye_left_0"]], vertices[places["eye_left_5"]]
+    place = 0.5 * (corner + lid) - np.array([0.0, 8.0, 0.0])
+    near = np.linalg.norm(vertices - place, axis=1) < TROUGH_REACH_MM
+    skin = set(zones["face"]) - set(zones["nose"])
+    zones["tear_trough_left"] = [int(v) for v in np.flatnonzero(near & (vertices[:, 1] < min(corner[1], lid[1]) - 2.0)) if int(v) in skin]
+    return zones
 
 
 def hill_inside(vertices, zone, away):
-    """The wide hill brought down smoothly to nothing over the last FADE_MM before the zone's rim."""
+    """The wide hill brought down smoothly to nothing over the last FADE_MM before the zone's rim; a smaller zone's narrower hill over
+    all of the way."""
     inside = np.zeros(len(vertices), bool)
     inside[zone] = True
     outside = vertices[~inside & (away < away[zone].max() + 2 * FADE_MM)]
+    inwards = np.array([np.linalg.norm(outside - vertices[v], axis=1).min() for v in zone])
+    fade = min(FADE_MM, inwards.max())
+    t = np.minimum(inwards / fade, 1.0)
     shape = np.zeros(len(vertices))
-    for v in zone:
-        t = min(np.linalg.norm(outside - vertices[v], axis=1).min() / FADE_MM, 1.0)
-        shape[v] = np.exp(-0.5 * (away[v] / SPREAD_MM) ** 2) * t * t * (3 - 2 * t)
+    shape[zone] = np.exp(-0.5 * (away[zone] / SPREAD_MM) ** 2) * t * t * (3 - 2 * t)
     return shape
 
 
@@ -42,7 +61,10 @@ def bump(vertices, triangles, zone, millilitres, wide):
 
     wide: a Gaussian that does not stop at the zone's rim.
     """
-    centre = zone[np.argmin(np.linalg.norm(vertices[zone] - vertices[zone].mean(0), axis=1))]
+    from_middle = np.linalg.norm(vertices[zone] - vertices[zone].mean(0), axis=1)
+    centre = zone[np.argmin(from_middle)]
+    if len(zone) != 385:  # zones with inner walls (not the cheeks): the foremost near the middle
+        centre = zone[np.argmax(vertices[zone, 2] - 1e6 * (from_middle > from_middle.min() + 6.0))]
     a, b, c = (vertices[triangles[:, k]] for k in range(3))
     area = np.cross(b - a, c - a)
     normals = np.zeros_like(vertices)
@@ -76,10 +98,10 @@ class Simulator:
         sys.path.insert(0, str(shared / "tools"))
         import mien_data
         import simulate_scan
-        self.tool, self.millilitres, self.people = simulate_scan, 0.0, {}
+        self.tool, self.millilitres, self.zone, self.people = simulate_scan, 0.0, None, {}
         model = mien_data.FaceModel(None, with_sockets=True)
         untreated, skin_count = model.subject, model.n_template
-        zone = np.asarray(json.loads((shared / "data/ict/zones.json").read_text())["zones"]["cheek_left"])
+        zones = {name: np.asarray(zone) for name, zone in all_zones(shared).items()}
 
         def treated(*key):
             person = copy.copy(self.people.setdefault(key, None) or untreated(*key))
@@ -87,16 +109,17 @@ class Simulator:
             if self.millilitres:
                 skin = person.neutral[:skin_count]
                 person.neutral = person.neutral.copy()
-                person.neutral[:skin_count] = bump(skin, model.template_triangles, zone, self.millilitres, wide)
+                person.neutral[:skin_count] = bump(skin, model.template_triangles, zones[self.zone], self.millilitres,
+                                                   wide)
             return person
 
         model.subject = treated
         simulate_scan.FaceModel = lambda *a, **k: model
 
-    def scan(self, out, seed, subject, scan_seed, expression, millilitres, noise_mm):
+    def scan(self, out, seed, subject, scan_seed, case, noise_mm):
+        _, expression, self.zone, self.millilitres = case
         if (out / "landmarks.json").exists():
             return
-        self.millilitres = millilitres
         old, sys.argv = sys.argv, ["simulate_scan.py", "--out", str(out), "--seed", str(seed), "--subject", str(subject),
                                    "--scan-seed", str(scan_seed), "--expression", expression, "--noise-mm",
                                    str(noise_mm), "--pose-deg", "15", "--pose-mm", "50", "--step", "1"]
@@ -128,39 +151,74 @@ def write_truth(o, scan, out):
         write_ply(out, np.asarray(tensors["vertices"], float), read_mesh(o.shared / "data/ict/template.ply")[1])
 
 
-def cheeks(o, folder, scratch, *options):
-    """Of every visit but the first: the cheeks as `mien report` tells them, the treated one first and, with its
-    margin, last."""
-    run(o.mien, "report", "--fitted", "--visits", folder, "--zones", o.shared / "data/ict/zones.json", "--show",
-        "cheek_left,cheek_right", "--treated", "cheek_left", "--json", scratch / "report.json", "--out", scratch / "report.html", *options)
+def zone_changes(o, folder, zone, scratch, *options):
+    """Of every visit but the first: the zones as `mien report` tells them, the treated one first, the other cheek, if there
+    is one, second, and the treated one with its margin last."""
+    shown = zone + ",cheek_right" if zone == "cheek_left" else zone
+    run(o.mien, "report", "--fitted", "--visits", folder, "--zones", o.work / "zones.json", "--show", shown, "--treated", zone,
+        "--json", scratch / "report.json", "--out", scratch / "report.html", *options)
     return {v["name"]: v["zones"] for v in json.loads((scratch / "report.json").read_text())["visits"][1:]}
 
 
-def hill_height_mm(o, base, millilitres):
+def hill_height_mm(o, base, zone, millilitres):
     """Of the hill on the simulated face; the bump does not ask in which frame the face lies."""
     from mien_data import read_mesh
     vertices, triangles = read_mesh(base / "true/0before.ply")[:2]
-    zone = np.asarray(json.loads((o.shared / "data/ict/zones.json").read_text())["zones"]["cheek_left"])
-    return np.linalg.norm(bump(vertices, triangles, zone, millilitres, o.hill == "wide") - vertices, axis=1).max()
+    return np.linalg.norm(bump(vertices, triangles, np.asarray(all_zones(o.shared)[zone]), millilitres, o.hill == "wide") - vertices,
+                          axis=1).max()
+
+
+def visits_of(base, kind, zone, cases):
+    """A folder of links to the first visit and those in which this zone was treated, or nothing was."""
+    folder = base / f"{kind}-{zone}"
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, expression, treated, _ in cases:
+        if treated in (None, zone) and (kind == "fits" or expression == "neutral"):
+            for file in (base / kind).glob(f"{name}.*"):
+                if not (folder / file.name).exists():
+                    (folder / file.name).symlink_to(file.resolve())
+    return folder
 
 
 def measure_patient(o, base, cases, rows):
     for folder in ("fits", "true"):
         (base / folder).mkdir(parents=True, exist_ok=True)
-    for name, expression, ml in cases:
+    for name, expression, _, _ in cases:
         register(o, base / "scans" / name, base / "fits" / name)
         if expression == "neutral":
             write_truth(o, base / "scans" / name, base / "true" / f"{name}.ply")
-    truth = cheeks(o, base / "true", base)
-    kinds = {"as fitted": cheeks(o, base / "fits", base),
-             "neutralized": cheeks(o, base / "fits", base, "--expressions", o.expressions)}
-    held = {ml: truth[name] for name, expression, ml in cases[1:] if expression == "neutral"}
-    for kind, visits in kinds.items():
-        for name, expression, ml in cases[1:]:
-            left, right, around = visits[name]
-            rows.setdefault((kind, expression, ml), []).append((ml, held[ml][0]["signed_ml"], left))
-            rows.setdefault((kind + " and around", expression, ml), []).append((ml, held[ml][2]["signed_ml"], around))
-            rows.setdefault((kind, expression, 0), []).append((0, 0, right))  # the other cheek: nothing was injected
+    for zone in dict(o.treat):
+        truth = zone_changes(o, visits_of(base, "true", zone, cases), zone, base)
+        fits = visits_of(base, "fits", zone, cases)
+        kinds = {"as fitted": zone_changes(o, fits, zone, base),
+                 "neutralized": zone_changes(o, fits, zone, base, "--expressions", o.expressions)}
+        mine = [case for case in cases[1:] if case[2] in (None, zone)]
+        held = {ml: truth[name] for name, expression, _, ml in mine if expression == "neutral"}
+        for kind, visits in kinds.items():
+            for name, expression, _, ml in mine:
+                told = visits[name]
+                rows.setdefault((zone, kind, expression, ml), []).append((ml, held[ml][0]["signed_ml"], told[0]))
+                rows.setdefault((zone, kind + " and around", expression, ml), []).append((ml, held[ml][-1]["signed_ml"], told[-1]))
+                if zone == "cheek_left":
+                    rows.setdefault(("cheek_right", kind, expression, 0), []).append((0, 0, told[1]))  # nothing was injected
+
+
+def cases_of(o):
+    """Of (name, expression, zone, mL): the first visit, untreated ones if 0 mL is asked for, and one for each place and amount."""
+    cases = [("0before", "neutral", None, 0.0)]
+    for expression in o.after.split(","):
+        if any(0 in amounts for _, amounts in o.treat):
+            cases.append((f"{len(cases)}{expression[0]}", expression, None, 0.0))
+        for zone, amounts in o.treat:
+            for ml in amounts:
+                if ml:
+                    cases.append((f"{len(cases)}{expression[0]}{ml:g}".replace(".", "-"), expression, zone, ml))
+    return cases
+
+
+def treatments(text):
+    """NAME=ML:ML:...,NAME=... -> [(name, [mL])]"""
+    return [(name, [float(ml) for ml in amounts.split(":")]) for name, amounts in (part.split("=") for part in text.split(","))]
 
 
 def main():
@@ -175,31 +233,38 @@ def main():
     parser.add_argument("--noise-mm", type=float, default=0.15)
     parser.add_argument("--hill", choices=("inside", "wide"), default="inside",
                         help="inside: ends at the zone's rim; wide: a Gaussian that leaves the zone")
+    parser.add_argument("--treat", type=treatments, default="cheek_left=1:2:5", help="places and mL: NAME=ML:ML,NAME=ML")
     parser.add_argument("--after", default="neutral,smile", help="expressions after the injection")
     o = parser.parse_args()
 
-    cases = [("0before", "neutral", 0)]
-    for expression in o.after.split(","):
-        for ml in (1, 2, 5):
-            cases.append((f"{len(cases)}{expression[0]}{ml}", expression, ml))
+    cases = cases_of(o)
     simulator, rows = Simulator(o.shared, o.hill == "wide"), {}
+    o.work.mkdir(parents=True, exist_ok=True)
+    (o.work / "zones.json").write_text(json.dumps({"zones": all_zones(o.shared)}))
     for subject in range(o.subjects):
         base = o.work / f"{subject:02d}"
-        for k, (name, expression, ml) in enumerate(cases):
-            simulator.scan(base / "scans" / name, o.seed, subject, 10 + k, expression, ml, o.noise_mm)
+        for k, case in enumerate(cases):
+            simulator.scan(base / "scans" / case[0], o.seed, subject, 10 + k, case, o.noise_mm)
         measure_patient(o, base, cases, rows)
         print(f"subject {subject}", flush=True)
     print("height of the hill (median, mm):", ", ".join(
-        f"{ml} mL {np.median([hill_height_mm(o, o.work / f'{s:02d}', ml) for s in range(o.subjects)]):.2f}" for ml in (1, 2, 5)))
-    print(f"{'measured':22} {'after':8} {'mL':>3} {'in zone':>7} {'median':>7} {'|error|':>7} {'of zone':>7} {'mean sd':>7} "
-          f"{'95 % holds':>10} {'of zone':>7} {'below limit':>11}")
-    for (kind, expression, ml), values in sorted(rows.items(), key=str):
+        f"{zone} {ml:g} mL {np.median([hill_height_mm(o, o.work / f'{s:02d}', zone, ml) for s in range(o.subjects)]):.2f}"
+        for zone, amounts in o.treat for ml in amounts if ml))
+    print_rows(rows)
+
+
+def print_rows(rows):
+    print(f"{'zone':17} {'measured':22} {'after':8} {'mL':>4} {'in zone':>7} {'median':>7} {'|error|':>7} {'of zone':>7} {'mean sd':>7} "
+          f"{'95 % holds':>10} {'of zone':>7} {'limit':>6} {'below limit':>11} {'told':>5}")
+    for (place, kind, expression, ml), values in sorted(rows.items(), key=str):
         injected, zone = (np.array([v[k] for v in values], float) for k in (0, 1))
-        got, low, high, sd, below = (np.array([float(v[2][k]) for v in values]) for k in (
-            "signed_ml", "low95_ml", "high95_ml", "sd_ml", "below_limit_of_detection"))
-        print(f"{kind:22} {expression:8} {ml:3d} {np.median(zone):7.2f} {np.median(got):7.2f} {np.median(abs(got - injected)):7.2f} "
-              f"{np.median(abs(got - zone)):7.2f} {sd.mean():7.2f} {np.mean((low <= injected) & (high >= injected)):10.0%} "
-              f"{np.mean((low <= zone) & (high >= zone)):7.0%} {below.mean():11.0%}")
+        got, low, high, sd, limit, below = (np.array([float(v[2][k]) for v in values]) for k in (
+            "signed_ml", "low95_ml", "high95_ml", "sd_ml", "limit_of_detection_ml", "below_limit_of_detection"))
+        told = (low > 0) | (high < 0)
+        print(f"{place:17} {kind:22} {expression:8} {ml:4g} {np.median(zone):7.2f} {np.median(got):7.2f} "
+              f"{np.median(abs(got - injected)):7.2f} {np.median(abs(got - zone)):7.2f} {sd.mean():7.2f} "
+              f"{np.mean((low <= injected) & (high >= injected)):10.0%} {np.mean((low <= zone) & (high >= zone)):7.0%} "
+              f"{np.median(limit):6.2f} {below.mean():11.0%} {told.mean():5.0%}")
 
 
 if __name__ == "__main__":

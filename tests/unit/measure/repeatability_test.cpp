@@ -56,6 +56,7 @@ TEST(DetectionLimit, AddsTheBlanksBiasAndTwoSteps) {
     const double step = student_t_quantile(0.95, 2) * 0.2;
     EXPECT_NEAR(limit.limit_of_blank, 0.1 + step, 1e-14);
     EXPECT_NEAR(limit.limit_of_detection, 0.1 + 2 * step, 1e-14);
+    EXPECT_NEAR(limit.minimal_detectable_change, 0.1 + student_t_quantile(0.975, 2) * 0.2, 1e-14);
     EXPECT_EQ(compare_with_limit(-0.5, limit.limit_of_detection), Detection::below_limit);
     EXPECT_EQ(compare_with_limit(-5.0, limit.limit_of_detection), Detection::detected);
     EXPECT_EQ(test::status_of([] { detection_limit({0.1}); }), Status::invalid_argument);

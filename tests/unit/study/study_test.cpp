@@ -77,6 +77,28 @@ TEST(StudyErrors, AGrownSpotIsMeasuredAndDetected) {
     EXPECT_LT(back.lost_ml.high, -0.5 * truth);
 }
 
+/// A limit of 3.3 deviations called changes undetected whose intervals left zero out.
+TEST(StudyErrors, AChangeIsDetectedWhenItsIntervalLeavesZeroOut) {
+    const Points face = study().neutral(3);
+    int detected = 0, between = 0, all = 0;
+    for (const double height : {0.0, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0}) {
+        const Study made(Context(), nullptr,
+                         {seen(face, 0.1, 1, 0), seen(grown(face, height), 0.1, 2, 1)},
+                         settings_with_zones());
+        for (const ZoneChange& zone : made.change(0, 1).zones) {
+            const StudyValue& ml = zone.signed_ml;
+            EXPECT_EQ(zone.detected == 1, ml.low > 0 || ml.high < 0) << height;
+            EXPECT_NEAR(ml.limit_of_detection, 1.959964 * ml.sd, 1e-6 * ml.sd);
+            detected += zone.detected;
+            between += zone.detected == 1 && std::fabs(ml.value) < 3.29 * ml.sd;
+            ++all;
+        }
+    }
+    EXPECT_GT(detected, 0);
+    EXPECT_LT(detected, all);
+    EXPECT_GT(between, 0);
+}
+
 TEST(StudyErrors, WithoutDeviationsThereAreValuesAndNoIntervals) {
     const Points face = study().neutral(3);
     StudyFace bare = seen(face, 0.1, 1, 1);
@@ -142,7 +164,7 @@ TEST(StudyBlanks, RepeatedCapturesGiveTheLimitOfDetection) {
                              .zones[1]
                              .signed_ml.value);
     EXPECT_EQ(made.change(0, 1).zones[1].signed_ml.limit_of_detection,
-              detection_limit(blanks).limit_of_detection);
+              detection_limit(blanks).minimal_detectable_change);
 }
 
 TEST(StudyExpressions, ASmileIsTakenOffAndATreatmentStays) {
