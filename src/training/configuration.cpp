@@ -200,12 +200,22 @@ Plan read_plan(const std::string& path, const std::vector<std::string>& override
     const fs::path folder = file.parent_path();
     Json text = load(file);
     if (!text.is_object()) fail(Status::bad_format, "%.150s: is no object", path.c_str());
+    // A whole section, "model=model/pca.json", is read like one in the file; then its keys.
+    const auto of_section = [](const std::string& setting) {
+        return setting.substr(0, setting.find('=')).find('.') == std::string::npos;
+    };
+    for (const std::string& setting : overrides)
+        if (of_section(setting)) apply_override(text, setting);
     for (const char* section : {"data", "representation", "model", "experiment"})
         if (text.contains(section)) text[section] = resolve(text[section], folder);
     for (const char* list : {"models", "representations"})
-        if (text.contains(list))
+        if (text.contains(list)) {
+            if (!text[list].is_array())
+                fail(Status::bad_format, "%.100s: '%s' is no list", path.c_str(), list);
             for (Json& item : text[list]) item = resolve(item, folder);
-    for (const std::string& setting : overrides) apply_override(text, setting);
+        }
+    for (const std::string& setting : overrides)
+        if (!of_section(setting)) apply_override(text, setting);
     for (const auto& entry : text.items())
         if (entry.key() != "data" && entry.key() != "representation" && entry.key() != "model" &&
             entry.key() != "experiment" && entry.key() != "models" &&

@@ -249,10 +249,18 @@ TEST(Configuration, BuildsOnOthersAndRefusesWhatDoesNotExist) {
     ASSERT_EQ(plan.configurations.size(), 4u);
     EXPECT_EQ(plan.configurations[1].name, "feastnet-deformation");
     EXPECT_EQ(plan.configurations[3].model.latent, 5);
+    // A path given by hand was kept as text, and the parser's own exception came out.
+    plan = plan_of(head + R"("model": {"operator": "pca"}})",
+                   {"model.latent=6", "model=model/small.json"});
+    EXPECT_EQ(plan.configurations[0].model.op, NetworkOperator::feastnet);
+    EXPECT_EQ(plan.configurations[0].model.latent, 6);
+    plan = plan_of(head + R"("model": {}})", {R"(models=["model/small.json"])"});
+    EXPECT_EQ(plan.configurations[0].model.latent, 8);
     for (const char* wrong :
-         {R"("model": {"depth": 3}})", R"("experiment": {"epochs": "many"}})",
-          R"("model": {"operator": "transformer"}})", R"("representation": {"kind": "voxels"}})",
-          R"("extra": 1})", R"("representations": [{}, {}]})"})
+         {R"("models": "model/small.json"})", R"("model": {"depth": 3}})",
+          R"("experiment": {"epochs": "many"}})", R"("model": {"operator": "transformer"}})",
+          R"("representation": {"kind": "voxels"}})", R"("extra": 1})",
+          R"("representations": [{}, {}]})"})
         EXPECT_THROW(plan_of(head + wrong), Error) << wrong;
 }
 
