@@ -629,6 +629,8 @@ namespace Mien.Native
         public IntPtr progress;
         public IntPtr progressUser;
         public IntPtr cancel;
+        public int measureWalls;
+        public uint reservedEnd;
     }
 
     [StructLayout(LayoutKind.Sequential)]

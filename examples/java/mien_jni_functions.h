@@ -439,7 +439,7 @@ STATIC_CHECK(offsetof(mien_series_options, progress) == 56, place_of_mien_series
 STATIC_CHECK(offsetof(mien_series_options, progress_user) == 64, place_of_mien_series_options_progress_user);
 STATIC_CHECK(offsetof(mien_series_options, cancel) == 72, place_of_mien_series_options_cancel);
 STATIC_CHECK(offsetof(mien_series_options, weights) == 80, place_of_mien_series_options_weights);
-STATIC_CHECK(sizeof(mien_study_options) == 152, size_of_mien_study_options);
+STATIC_CHECK(sizeof(mien_study_options) == 160, size_of_mien_study_options);
 STATIC_CHECK(offsetof(mien_study_options, struct_size) == 0, place_of_mien_study_options_struct_size);
 STATIC_CHECK(offsetof(mien_study_options, reserved) == 4, place_of_mien_study_options_reserved);
 STATIC_CHECK(offsetof(mien_study_options, zones) == 8, place_of_mien_study_options_zones);
@@ -460,6 +460,8 @@ STATIC_CHECK(offsetof(mien_study_options, min_seen_share) == 120, place_of_mien_
 STATIC_CHECK(offsetof(mien_study_options, progress) == 128, place_of_mien_study_options_progress);
 STATIC_CHECK(offsetof(mien_study_options, progress_user) == 136, place_of_mien_study_options_progress_user);
 STATIC_CHECK(offsetof(mien_study_options, cancel) == 144, place_of_mien_study_options_cancel);
+STATIC_CHECK(offsetof(mien_study_options, measure_walls) == 152, place_of_mien_study_options_measure_walls);
+STATIC_CHECK(offsetof(mien_study_options, reserved_end) == 156, place_of_mien_study_options_reserved_end);
 STATIC_CHECK(sizeof(mien_study_value) == 40, size_of_mien_study_value);
 STATIC_CHECK(offsetof(mien_study_value, value) == 0, place_of_mien_study_value_value);
 STATIC_CHECK(offsetof(mien_study_value, sd) == 8, place_of_mien_study_value_sd);

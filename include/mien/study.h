@@ -50,7 +50,11 @@ typedef struct mien_study_options {
                                      default 0.1 */
     mien_progress_fn progress;    /**< may be null */
     void* progress_user;
-    mien_cancel* cancel; /**< may be null */
+    mien_cancel* cancel;   /**< may be null */
+    int32_t measure_walls; /**< 1: zones keep the walls that no scanner sees (sacs of nostrils,
+                              insides of lips and lids), which a fit guesses; default 0: left out
+                              of the zones */
+    uint32_t reserved_end; /**< zero */
 } mien_study_options;
 
 /** A number with its error. NaN: not known. */
@@ -59,9 +63,9 @@ typedef struct mien_study_value {
     double sd;                 /**< standard deviation */
     double low;                /**< of the interval at the study's level */
     double high;               /**< of the interval at the study's level */
-    double limit_of_detection; /**< the minimal detectable change: a smaller size cannot be told from no
-                                  change at the study's level, as the interval holds zero; from
-                                  repeated captures where there are enough */
+    double limit_of_detection; /**< the minimal detectable change: a smaller size cannot be told
+                                  from no change at the study's level, as the interval holds zero;
+                                  from repeated captures where there are enough */
 } mien_study_value;
 
 /** Why a change has no deviation. */

@@ -51,6 +51,10 @@ struct StudyZoneSettings {
     /// Around the treated zones, mm, 0 to 100: no witness of expression or pose either, and
     /// measured with them as "NAME and 10 mm around": treatments spread.
     double margin_mm = 10.0;
+    /// Zones keep the walls that no scanner sees (model/template_walls.hpp): the sacs of nostrils,
+    /// the insides of lips and lids. A fit guesses them, and a guess that moves is no change:
+    /// tests/bench/README.md, "Injections elsewhere".
+    bool walls = false;
 };
 
 /// When a number may be told, and how.

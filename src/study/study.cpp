@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "measure/distance.hpp"
 #include "measure/repeatability.hpp"
+#include "model/template_walls.hpp"
 
 namespace mien {
 namespace {
@@ -24,6 +25,9 @@ Study::Study(const Context& context, std::shared_ptr<const ExpressionModel> mode
     check_study_settings(settings);
     check_study_faces(faces);
     data_.zones = resolve_zones(settings.zones, faces.front().mesh->vertices, model != nullptr);
+    if (!settings.zones.walls && !data_.zones.measured.empty())
+        leave_walls_out(data_.zones.measured,
+                        find_walls(*faces.front().mesh, WallSettings(), context));
     data_.settings = std::move(settings);
     data_.faces = std::move(faces);
     data_.model = std::move(model);

@@ -53,6 +53,7 @@ void write_recipe(JsonText& json, const Study& study) {
     json.field("expressions_removed", study.data().model != nullptr);
     json.field("treated", settings.zones.treated);
     json.field("margin_mm", settings.zones.margin_mm);
+    json.field("walls", settings.zones.walls);
     json.field("stable", study.data().zones.stable_names);
     json.field("stable_is_untreated", study.data().zones.stable_is_untreated);
     json.field("noise_mm", settings.surface.noise_mm);

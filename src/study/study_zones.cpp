@@ -74,6 +74,15 @@ Vertices with_margin(const PointsRef& face, const Vertices& vertices, double mar
     return near;
 }
 
+void leave_walls_out(std::vector<Zone>& zones, const std::vector<std::uint8_t>& walls) {
+    for (Zone& zone : zones) {
+        Vertices open;
+        std::copy_if(zone.vertices.begin(), zone.vertices.end(), std::back_inserter(open),
+                     [&](std::uint32_t v) { return walls[v] == 0; });
+        if (!open.empty()) zone.vertices = std::move(open);
+    }
+}
+
 StudyZones resolve_zones(const StudyZoneSettings& settings, const PointsRef& face,
                          bool expressions_taken_off) {
     check_zones(settings.zones, face.rows());

@@ -12,6 +12,10 @@ std::vector<std::uint32_t> with_margin(const PointsRef& face,
                                        const std::vector<std::uint32_t>& vertices,
                                        double margin_mm);
 
+/// Takes the walls out of each zone; a zone of nothing else stays as it is. walls: #V,
+/// find_walls().
+void leave_walls_out(std::vector<Zone>& zones, const std::vector<std::uint8_t>& walls);
+
 struct StudyZones {
     std::vector<Zone> measured;             ///< the zones, then each treated one with its margin
     std::vector<std::uint32_t> treated;     ///< with the margin

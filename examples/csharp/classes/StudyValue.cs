@@ -17,7 +17,8 @@ namespace Mien
         public double Low { get; set; }
         /// <summary>of the interval at the study's level</summary>
         public double High { get; set; }
-        /// <summary>a smaller size cannot be told from no change</summary>
+        /// <summary>the minimal detectable change: a smaller size cannot be told from no change at the study's level, as the
+        /// interval holds zero; from repeated captures where there are enough</summary>
         public double LimitOfDetection { get; set; }
 
         internal override void Fill(Call call, IntPtr at)

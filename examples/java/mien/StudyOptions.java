@@ -14,13 +14,14 @@ public final class StudyOptions implements Record_ {
     private double commonBiasMm;
     private double untrainedShare;
     private double minSeenShare;
+    private int measureWalls;
 
     /** With the library's defaults. */
     public StudyOptions() {
         try (Call call = new Call()) {
-            Memory at = call.room(152);
+            Memory at = call.room(160);
             int offset = 0;
-            Raw.GET.mien_study_options_init(at.address, 152);
+            Raw.GET.mien_study_options_init(at.address, 160);
             marginMm = at.bytes.getDouble(offset + 72);
             level = at.bytes.getDouble(offset + 80);
             noiseMm = at.bytes.getDouble(offset + 88);
@@ -28,6 +29,7 @@ public final class StudyOptions implements Record_ {
             commonBiasMm = at.bytes.getDouble(offset + 104);
             untrainedShare = at.bytes.getDouble(offset + 112);
             minSeenShare = at.bytes.getDouble(offset + 120);
+            measureWalls = at.bytes.getInt(offset + 152);
         }
     }
 
@@ -114,9 +116,19 @@ public final class StudyOptions implements Record_ {
     }
     public double minSeenShare() { return minSeenShare; }
 
+    /**
+     * 1: zones keep the walls that no scanner sees (sacs of nostrils, insides of lips and lids), which a fit
+     * guesses; default 0: left out of the zones
+     */
+    public StudyOptions measureWalls(int value) {
+        measureWalls = value;
+        return this;
+    }
+    public int measureWalls() { return measureWalls; }
+
     @Override
     public void fill(Call call, Memory at, int offset) {
-        Raw.GET.mien_study_options_init(at.address + offset, 152);
+        Raw.GET.mien_study_options_init(at.address + offset, 160);
         at.bytes.putDouble(offset + 72, marginMm);
         at.bytes.putDouble(offset + 80, level);
         at.bytes.putDouble(offset + 88, noiseMm);
@@ -124,6 +136,7 @@ public final class StudyOptions implements Record_ {
         at.bytes.putDouble(offset + 104, commonBiasMm);
         at.bytes.putDouble(offset + 112, untrainedShare);
         at.bytes.putDouble(offset + 120, minSeenShare);
+        at.bytes.putInt(offset + 152, measureWalls);
         at.bytes.putLong(offset + 8, Memory.address(call.records(zones, 24)));
         at.bytes.putLong(offset + 16, call.rows(zones, 1, "zones"));
         at.bytes.putLong(offset + 24, Memory.address(call.texts(treatedZones)));
@@ -135,7 +148,7 @@ public final class StudyOptions implements Record_ {
     }
 
     Memory write(Call call, Progress progress, Cancel cancel) {
-        Memory at = call.room(152);
+        Memory at = call.room(160);
         fill(call, at, 0);
         at.bytes.putLong(128, call.progressFunction(progress));
         at.bytes.putLong(136, call.progressUser());

@@ -7,7 +7,8 @@ package mien;
  * @param sd standard deviation
  * @param low of the interval at the study's level
  * @param high of the interval at the study's level
- * @param limitOfDetection a smaller size cannot be told from no change
+ * @param limitOfDetection the minimal detectable change: a smaller size cannot be told from no change at the
+ * study's level, as the interval holds zero; from repeated captures where there are enough
  */
 public record StudyValue(double value, double sd, double low, double high, double limitOfDetection) implements Record_ {
     @Override

@@ -3,50 +3,23 @@
 
 #include <gtest/gtest.h>
 
+#include "unit/registration/pocket.hpp"
+
 namespace {
 
 using namespace mien;
 
-constexpr int kSide = 21;
-
-/// A square plate of 2 mm cells at height z, its normals along +z or -z.
-void add_plate(TriMesh& mesh, double z, bool upwards) {
-    const Index first = mesh.vertices.rows(), old = mesh.triangles.rows();
-    mesh.vertices.conservativeResize(first + kSide * kSide, 3);
-    mesh.triangles.conservativeResize(old + 2 * (kSide - 1) * (kSide - 1), 3);
-    for (int j = 0; j < kSide; ++j)
-        for (int i = 0; i < kSide; ++i)
-            mesh.vertices.row(first + j * kSide + i) << 2.0 * i, 2.0 * j, z;
-    Index t = old;
-    for (int j = 0; j + 1 < kSide; ++j)
-        for (int i = 0; i + 1 < kSide; ++i) {
-            const auto a = static_cast<std::uint32_t>(first + j * kSide + i), b = a + 1,
-                       c = a + kSide, d = c + 1;
-            mesh.triangles.row(t++) << a, (upwards ? b : d), (upwards ? d : b);
-            mesh.triangles.row(t++) << a, (upwards ? d : c), (upwards ? c : d);
-        }
-}
-
-/// Skin at z = 6, and beneath it two walls that face each other, 3 mm apart.
-TriMesh pocket() {
-    TriMesh mesh;
-    mesh.vertices.resize(0, 3);
-    mesh.triangles.resize(0, 3);
-    add_plate(mesh, 6, true);
-    add_plate(mesh, 4, false);
-    add_plate(mesh, 1, true);
-    return mesh;
-}
-
-Index middle(int plate) {
-    return plate * kSide * kSide + (kSide / 2) * kSide + kSide / 2;
-}
+using test::add_plate;
+using test::kPlateSide;
+using test::middle;
+using test::pocket;
 
 TEST(InnerVertices, WallsThatFaceEachOtherAreFoundAndSkinIsNot) {
     const std::vector<std::uint8_t> inner = find_inner_vertices(pocket(), {}, Context());
     EXPECT_TRUE(inner[static_cast<std::size_t>(middle(1))]);
     EXPECT_TRUE(inner[static_cast<std::size_t>(middle(2))]);
-    for (int v = 0; v < kSide * kSide; ++v) EXPECT_FALSE(inner[static_cast<std::size_t>(v)]) << v;
+    for (int v = 0; v < kPlateSide * kPlateSide; ++v)
+        EXPECT_FALSE(inner[static_cast<std::size_t>(v)]) << v;
 }
 
 TEST(InnerVertices, AnOpenPlateHasNone) {
@@ -86,7 +59,7 @@ TEST(InnerVertices, TheInsideOfALipGoesWithItsOwnLip) {
     add_plate(mesh, 0, true);
     std::vector<std::uint8_t> inner(static_cast<std::size_t>(mesh.vertices.rows()), 0);
     for (Index v = 0; v < mesh.vertices.rows(); ++v) {
-        const bool upper = v >= kSide * kSide;
+        const bool upper = v >= kPlateSide * kPlateSide;
         const double along = mesh.vertices(v, 1);  // 0 to 40 mm, the last 8 of them inside
         const double out = std::max(0.0, along - 32);
         mesh.vertices(v, 1) = (upper ? 1 : -1) * (0.5 + 32 - std::min(along, 32.0));
@@ -94,13 +67,15 @@ TEST(InnerVertices, TheInsideOfALipGoesWithItsOwnLip) {
         inner[static_cast<std::size_t>(v)] = out > 0;
     }
     Points places = mesh.vertices;
-    for (Index v = kSide * kSide; v < places.rows(); ++v)
+    for (Index v = kPlateSide * kPlateSide; v < places.rows(); ++v)
         if (!inner[static_cast<std::size_t>(v)]) places(v, 1) += 10;
     carry_inner(mesh, build_rings(places.rows(), mesh.triangles), mesh.vertices, inner, {}, places,
                 Context());
     for (Index v = 0; v < places.rows(); ++v)
         if (mesh.vertices(v, 2) < -3) {
-            EXPECT_NEAR(places(v, 1) - mesh.vertices(v, 1), v >= kSide * kSide ? 10 : 0, 0.05) << v;
+            EXPECT_NEAR(places(v, 1) - mesh.vertices(v, 1), v >= kPlateSide * kPlateSide ? 10 : 0,
+                        0.05)
+                << v;
         }
 }
 

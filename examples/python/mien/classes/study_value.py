@@ -27,7 +27,8 @@ class StudyValue(_Record):
     low: float
     #: of the interval at the study's level
     high: float
-    #: a smaller size cannot be told from no change
+    #: the minimal detectable change: a smaller size cannot be told from no change at the study's level, as the
+    #: interval holds zero; from repeated captures where there are enough
     limit_of_detection: float
 
     def __init__(self, value: float = 0, sd: float = 0, low: float = 0, high: float = 0, limit_of_detection: float = 0) -> None:
