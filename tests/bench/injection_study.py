@@ -42,6 +42,40 @@ def all_zones(shared):
     return zones
 
 
+def injected_zones(shared):
+    """Where hills stand: the open skin of each zone of the template at rest."""
+    from mien_data import read_mesh
+    vertices, triangles = read_mesh(shared / "data/ict/template.ply")[:2]
+    return {name: open_skin(vertices, triangles, zone) for name, zone in all_zones(shared).items() if name != "face"}
+
+
+def open_skin(vertices, triangles, zone):
+    """The zone without the walls in nostrils, mouth and lids: a ray along the normal leaves the face."""
+    zone = np.asarray(zone)
+    normals = vertex_normals(vertices, triangles)[zone]
+    corner = vertices[triangles[:, 0]]
+    edge1, edge2 = vertices[triangles[:, 1]] - corner, vertices[triangles[:, 2]] - corner
+    seen = []
+    for v, normal in zip(zone, normals):
+        p = np.cross(normal, edge2)
+        det = np.einsum("ij,ij->i", edge1, p)
+        det[abs(det) < 1e-12] = np.inf
+        to = vertices[v] + 0.05 * normal - corner
+        q = np.cross(to, edge1)
+        a, b, t = np.einsum("ij,ij->i", to, p) / det, q @ normal / det, np.einsum("ij,ij->i", edge2, q) / det
+        seen.append(not ((a >= 0) & (b >= 0) & (a + b <= 1) & (t > 0.05)).any())
+    return zone[seen]
+
+
+def vertex_normals(vertices, triangles):
+    a, b, c = (vertices[triangles[:, k]] for k in range(3))
+    area = np.cross(b - a, c - a)
+    normals = np.zeros_like(vertices)
+    for k in range(3):
+        np.add.at(normals, triangles[:, k], area)
+    return normals / (np.linalg.norm(normals, axis=1, keepdims=True) + 1e-12)
+
+
 def hill_inside(vertices, zone, away):
     """The wide hill brought down smoothly to nothing over the last FADE_MM before the zone's rim; a smaller zone's narrower hill over
     all of the way."""
@@ -61,22 +95,15 @@ def bump(vertices, triangles, zone, millilitres, wide):
 
     wide: a Gaussian that does not stop at the zone's rim.
     """
-    from_middle = np.linalg.norm(vertices[zone] - vertices[zone].mean(0), axis=1)
-    centre = zone[np.argmin(from_middle)]
-    if len(zone) != 385:  # zones with inner walls (not the cheeks): the foremost near the middle
-        centre = zone[np.argmax(vertices[zone, 2] - 1e6 * (from_middle > from_middle.min() + 6.0))]
-    a, b, c = (vertices[triangles[:, k]] for k in range(3))
-    area = np.cross(b - a, c - a)
-    normals = np.zeros_like(vertices)
-    for k in range(3):
-        np.add.at(normals, triangles[:, k], area)
-    normals /= np.linalg.norm(normals, axis=1, keepdims=True) + 1e-12
+    centre = zone[np.argmin(np.linalg.norm(vertices[zone] - vertices[zone].mean(0), axis=1))]
+    normals = vertex_normals(vertices, triangles)
     away = np.linalg.norm(vertices - vertices[centre], axis=1)
     if wide:
         shape = np.exp(-0.5 * (away / SPREAD_MM) ** 2) * (away < 3 * SPREAD_MM)
     else:
         shape = hill_inside(vertices, zone, away)
-    shape *= np.clip((normals @ normals[centre]), 0, 1)
+    facing = normals[zone].sum(0)
+    shape *= np.clip(normals @ (facing / np.linalg.norm(facing)), 0, 1)
 
     def signed_ml(x):
         return np.einsum("ij,ij->i", x[triangles[:, 0]], np.cross(x[triangles[:, 1]], x[triangles[:, 2]])).sum() / 6000
@@ -101,7 +128,7 @@ class Simulator:
         self.tool, self.millilitres, self.zone, self.people = simulate_scan, 0.0, None, {}
         model = mien_data.FaceModel(None, with_sockets=True)
         untreated, skin_count = model.subject, model.n_template
-        zones = {name: np.asarray(zone) for name, zone in all_zones(shared).items()}
+        treatable = injected_zones(shared)
 
         def treated(*key):
             person = copy.copy(self.people.setdefault(key, None) or untreated(*key))
@@ -109,7 +136,7 @@ class Simulator:
             if self.millilitres:
                 skin = person.neutral[:skin_count]
                 person.neutral = person.neutral.copy()
-                person.neutral[:skin_count] = bump(skin, model.template_triangles, zones[self.zone], self.millilitres,
+                person.neutral[:skin_count] = bump(skin, model.template_triangles, treatable[self.zone], self.millilitres,
                                                    wide)
             return person
 
@@ -164,7 +191,7 @@ def hill_height_mm(o, base, zone, millilitres):
     """Of the hill on the simulated face; the bump does not ask in which frame the face lies."""
     from mien_data import read_mesh
     vertices, triangles = read_mesh(base / "true/0before.ply")[:2]
-    return np.linalg.norm(bump(vertices, triangles, np.asarray(all_zones(o.shared)[zone]), millilitres, o.hill == "wide") - vertices,
+    return np.linalg.norm(bump(vertices, triangles, injected_zones(o.shared)[zone], millilitres, o.hill == "wide") - vertices,
                           axis=1).max()
 
 
