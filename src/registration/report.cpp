@@ -82,7 +82,7 @@ void add_measures(JsonText& json, const Verdict& v) {
 
 }  // namespace
 
-std::string registration_json(const RegistrationResult& result) {
+std::string registration_json(const RegistrationResult& result, const std::string& reference) {
     const Verdict& v = result.verdict;
     JsonText json;
     json.begin_object();
@@ -120,6 +120,7 @@ std::string registration_json(const RegistrationResult& result) {
     json.field("mean_weight", result.weight.size() > 0 ? result.weight.mean() : 0);
     json.field("mean_deviation_mm",
                result.confidence_mm.size() > 0 ? result.confidence_mm.mean() : 0);
+    if (!reference.empty()) json.key("reference").raw(reference);
     json.end_object();
     return json.take();
 }

@@ -7,7 +7,8 @@
 
 namespace mien {
 
-/// Verdict, motion, energy, per-vertex summaries. Numbers are round-trip exact.
-std::string registration_json(const RegistrationResult& result);
+/// Verdict, motion, energy, per-vertex summaries. Numbers are round-trip exact. `reference`: how it
+/// was tied to another visit (tie_json()), or empty.
+std::string registration_json(const RegistrationResult& result, const std::string& reference = {});
 
 }  // namespace mien

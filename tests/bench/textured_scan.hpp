@@ -43,9 +43,9 @@ inline void cell_corners(bool upper, double side, double (&x)[3], double (&y)[3]
     std::copy(ys, ys + 3, y);
 }
 
-/// Numbers of the triangles of one image.
-inline void paint(TriMesh& mesh, const std::vector<Index>& numbers, const TriMesh& dense,
-                  const TriangleTree& tree, Index side) {
+/// Numbers of the triangles of one image. `color_at(triangle, place)`: red green blue, 0 to 255.
+template <typename ColorAt>
+void paint(TriMesh& mesh, const std::vector<Index>& numbers, const ColorAt& color_at, Index side) {
     const Index cells = (static_cast<Index>(numbers.size()) + 1) / 2;
     const Index columns = std::max<Index>(1, static_cast<Index>(std::ceil(std::sqrt(cells))));
     auto image = std::make_shared<TextureImage>();
@@ -75,12 +75,12 @@ inline void paint(TriMesh& mesh, const std::vector<Index>& numbers, const TriMes
                 const double c = (static_cast<double>(py) + 0.5 - y[0]) / (y[2] - y[0]);
                 const Vector3 place =
                     corner[0] + b * (corner[1] - corner[0]) + c * (corner[2] - corner[0]);
-                const Vector3 color = color_near(dense, tree, place);
+                const Vector3 color = color_at(t, place);
                 const Index row = image->height - 1 - (bottom + py);
                 for (int k = 0; k < 3; ++k)
                     image->pixels[static_cast<std::size_t>(3 * (row * image->width + left + px) +
                                                            k)] =
-                        static_cast<std::uint8_t>(std::min(color[k] + 0.5, 255.0));
+                        static_cast<std::uint8_t>(std::clamp(color[k] + 0.5, 0.0, 255.0));
             }
     }
     mesh.images.push_back(image);
@@ -122,9 +122,10 @@ inline TriMesh with_vertex_colors(const ColoredScan& dense, TriMesh mesh) {
     return mesh;
 }
 
-/// The same with the scan's colours in `parts` images, each of a material of its own. `pixel_mm`:
-/// how much of the surface a pixel shows.
-inline TriMesh with_images(const ColoredScan& dense, TriMesh mesh, int parts, double pixel_mm) {
+/// `mesh` with colours in `parts` images, each of a material of its own. `pixel_mm`: how much of
+/// the surface a pixel shows.
+template <typename ColorAt>
+TriMesh with_colors_in_images(TriMesh mesh, int parts, double pixel_mm, const ColorAt& color_at) {
     std::vector<double> edges;
     for (Index t = 0; t < mesh.triangles.rows(); ++t)
         for (int k = 0; k < 3; ++k)
@@ -147,9 +148,17 @@ inline TriMesh with_images(const ColoredScan& dense, TriMesh mesh, int parts, do
     for (int part = 0; part < parts; ++part) {
         mesh.materials[static_cast<std::size_t>(part)].name = "part " + std::to_string(part + 1);
         mesh.materials[static_cast<std::size_t>(part)].image = part;
-        paint(mesh, numbers[static_cast<std::size_t>(part)], dense.mesh, dense.tree, side);
+        paint(mesh, numbers[static_cast<std::size_t>(part)], color_at, side);
     }
     return mesh;
+}
+
+/// The same with the scan's own colours.
+inline TriMesh with_images(const ColoredScan& dense, const TriMesh& mesh, int parts,
+                           double pixel_mm) {
+    return with_colors_in_images(mesh, parts, pixel_mm, [&](Index, const Vector3& place) {
+        return color_near(dense.mesh, dense.tree, place);
+    });
 }
 
 /// The pixels as a JPEG file of usual quality. An error of libjpeg's ends the program.
