@@ -29,6 +29,19 @@ mien_registration::mien_registration(FitRecord&& record)
       json(registration_json(data)),
       mesh(new mien_mesh(std::make_shared<const TriMesh>(std::move(record.mesh)))) {}
 
+mien_registration::mien_registration(TiedVisit&& tied, const mien_registration& kept)
+    : Object(kTag),
+      data(std::move(tied.fit)),
+      zones(kept.zones),
+      tie(std::make_shared<const TextureTie>(std::move(tied.tie))),
+      json(registration_json(data, tie_json(*tie, zones))) {
+    data.fitted.vertices = data.fitted.vertices.cast<float>().cast<double>();
+    TriMesh face = std::move(data.fitted);
+    face.colors = kept.mesh->mesh->colors;
+    face.take_appearance_of(*kept.mesh->mesh);
+    mesh = new mien_mesh(std::make_shared<const TriMesh>(std::move(face)));
+}
+
 mien_registration::~mien_registration() {
     release(mesh);
 }
@@ -110,6 +123,7 @@ mien_status MIEN_CALL mien_registration_get_field(const mien_registration* regis
                                                   uint64_t* count, mien_error* error) {
     return guarded(error, [&] {
         const RegistrationResult& data = checked(registration, "registration").data;
+        const TextureTie* tie = checked(registration, "registration").tie.get();
         Vector scaled;
         const Vector* values = nullptr;
         switch (field) {
@@ -131,6 +145,18 @@ mien_status MIEN_CALL mien_registration_get_field(const mien_registration* regis
                 scaled = normal_deviation_mm(data.confidence_mm, data.weight, data.residual_mm,
                                              SurfaceErrorSettings().noise_mm);
                 values = &scaled;
+                break;
+            case MIEN_REGISTRATION_SLIDE_MM:
+                values = tie != nullptr ? &tie->slide_mm : &scaled;
+                break;
+            case MIEN_REGISTRATION_TIE_AGREEMENT:
+                values = tie != nullptr ? &tie->agreement : &scaled;
+                break;
+            case MIEN_REGISTRATION_TIE_SHARE:
+                values = tie != nullptr ? &tie->share : &scaled;
+                break;
+            case MIEN_REGISTRATION_TIE_DEVIATION_MM:
+                values = tie != nullptr ? &tie->sd_mm : &scaled;
                 break;
             default:
                 fail(Status::not_found, "a registration has no field %d", field);

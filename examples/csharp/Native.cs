@@ -370,6 +370,18 @@ namespace Mien.Native
     }
 
     [StructLayout(LayoutKind.Sequential)]
+    internal unsafe struct TieOptions
+    {
+        public uint structSize;
+        public uint reserved;
+        public double maxSlideMm;
+        public double leastShare;
+        public IntPtr progress;
+        public IntPtr progressUser;
+        public IntPtr cancel;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     internal unsafe struct BatchOptions
     {
         public uint structSize;
@@ -967,6 +979,10 @@ namespace Mien.Native
         internal static extern int mien_registration_load(IntPtr session, IntPtr path, IntPtr @out, IntPtr error);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern int mien_registration_create(IntPtr session, IntPtr mesh, IntPtr weight, IntPtr residual, IntPtr standardDeviation, int quality, IntPtr @out, IntPtr error);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void mien_tie_options_init(IntPtr options, UIntPtr structSize);
+        [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int mien_registration_tie(IntPtr session, IntPtr model, IntPtr reference, IntPtr referenceScan, IntPtr registration, IntPtr scan, IntPtr options, IntPtr @out, IntPtr error);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
         internal static extern void mien_registration_retain(IntPtr registration);
         [DllImport("__Internal", CallingConvention = CallingConvention.Cdecl)]
@@ -1688,6 +1704,12 @@ namespace Mien.Native
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         internal delegate int mien_registration_create_function(IntPtr session, IntPtr mesh, IntPtr weight, IntPtr residual, IntPtr standardDeviation, int quality, IntPtr @out, IntPtr error);
         internal static readonly mien_registration_create_function mien_registration_create = Library.Function<mien_registration_create_function>("mien_registration_create");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void mien_tie_options_init_function(IntPtr options, UIntPtr structSize);
+        internal static readonly mien_tie_options_init_function mien_tie_options_init = Library.Function<mien_tie_options_init_function>("mien_tie_options_init");
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int mien_registration_tie_function(IntPtr session, IntPtr model, IntPtr reference, IntPtr referenceScan, IntPtr registration, IntPtr scan, IntPtr options, IntPtr @out, IntPtr error);
+        internal static readonly mien_registration_tie_function mien_registration_tie = Library.Function<mien_registration_tie_function>("mien_registration_tie");
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         internal delegate void mien_registration_retain_function(IntPtr registration);
         internal static readonly mien_registration_retain_function mien_registration_retain = Library.Function<mien_registration_retain_function>("mien_registration_retain");

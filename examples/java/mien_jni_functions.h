@@ -270,6 +270,14 @@ STATIC_CHECK(offsetof(mien_expected_error, expected_mm) == 8, place_of_mien_expe
 STATIC_CHECK(offsetof(mien_expected_error, low_mm) == 16, place_of_mien_expected_error_low_mm);
 STATIC_CHECK(offsetof(mien_expected_error, high_mm) == 24, place_of_mien_expected_error_high_mm);
 STATIC_CHECK(offsetof(mien_expected_error, unseen) == 32, place_of_mien_expected_error_unseen);
+STATIC_CHECK(sizeof(mien_tie_options) == 48, size_of_mien_tie_options);
+STATIC_CHECK(offsetof(mien_tie_options, struct_size) == 0, place_of_mien_tie_options_struct_size);
+STATIC_CHECK(offsetof(mien_tie_options, reserved) == 4, place_of_mien_tie_options_reserved);
+STATIC_CHECK(offsetof(mien_tie_options, max_slide_mm) == 8, place_of_mien_tie_options_max_slide_mm);
+STATIC_CHECK(offsetof(mien_tie_options, least_share) == 16, place_of_mien_tie_options_least_share);
+STATIC_CHECK(offsetof(mien_tie_options, progress) == 24, place_of_mien_tie_options_progress);
+STATIC_CHECK(offsetof(mien_tie_options, progress_user) == 32, place_of_mien_tie_options_progress_user);
+STATIC_CHECK(offsetof(mien_tie_options, cancel) == 40, place_of_mien_tie_options_cancel);
 STATIC_CHECK(sizeof(mien_batch_options) == 32, size_of_mien_batch_options);
 STATIC_CHECK(offsetof(mien_batch_options, struct_size) == 0, place_of_mien_batch_options_struct_size);
 STATIC_CHECK(offsetof(mien_batch_options, reserved) == 4, place_of_mien_batch_options_reserved);
@@ -1261,6 +1269,18 @@ JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1registration_1create(JNIEnv *env, 
     (void)env;
     (void)self;
     return (jint)mien_registration_create((mien_session*)(intptr_t)session, (const mien_mesh*)(intptr_t)mesh, (const mien_array_view*)(intptr_t)weight, (const mien_array_view*)(intptr_t)residual, (const mien_array_view*)(intptr_t)standard_deviation, (int32_t)quality, (mien_registration**)(intptr_t)out, (mien_error*)(intptr_t)error);
+}
+
+JNIEXPORT void JNICALL Java_mien_RawJni_mien_1tie_1options_1init(JNIEnv *env, jobject self, jlong options, jlong struct_size) {
+    (void)env;
+    (void)self;
+    mien_tie_options_init((mien_tie_options*)(intptr_t)options, (size_t)struct_size);
+}
+
+JNIEXPORT jint JNICALL Java_mien_RawJni_mien_1registration_1tie(JNIEnv *env, jobject self, jlong session, jlong model, jlong reference, jlong reference_scan, jlong registration, jlong scan, jlong options, jlong out, jlong error) {
+    (void)env;
+    (void)self;
+    return (jint)mien_registration_tie((mien_session*)(intptr_t)session, (const mien_model*)(intptr_t)model, (const mien_registration*)(intptr_t)reference, (const mien_mesh*)(intptr_t)reference_scan, (const mien_registration*)(intptr_t)registration, (const mien_mesh*)(intptr_t)scan, (const mien_tie_options*)(intptr_t)options, (mien_registration**)(intptr_t)out, (mien_error*)(intptr_t)error);
 }
 
 JNIEXPORT void JNICALL Java_mien_RawJni_mien_1registration_1retain(JNIEnv *env, jobject self, jlong registration) {

@@ -131,9 +131,16 @@ enum {
     MIEN_REGISTRATION_RADIUS95_MM = 4, /**< the true place lies within, 95 times out of 100: the
                                           deviation's pattern in the size of the zone's expected
                                           error (mien_registration_get_expected_error) */
-    MIEN_REGISTRATION_NORMAL_DEVIATION_MM = 5 /**< how far the surface may lie off the skin along
+    MIEN_REGISTRATION_NORMAL_DEVIATION_MM = 5, /**< how far the surface may lie off the skin along
                                                  its normal: what mien_measure_options wants. Since
                                                  0.2 */
+    MIEN_REGISTRATION_SLIDE_MM = 6, /**< how far mien_registration_tie() moved the place. Since 0.2
+                                     */
+    MIEN_REGISTRATION_TIE_AGREEMENT = 7, /**< -1 to 1: correlation of both visits' pictures around
+                                            the place after the slide; 0: not compared. Since 0.2 */
+    MIEN_REGISTRATION_TIE_SHARE = 8, /**< 0 to 1: how far the texture holds the place. Since 0.2 */
+    MIEN_REGISTRATION_TIE_DEVIATION_MM = 9 /**< between both visits' places along the skin, per
+                                              axis; 0 where the texture holds nothing. Since 0.2 */
 };
 
 /**
@@ -238,7 +245,9 @@ mien_registration_get_expected_error(const mien_registration* registration, cons
  * @param registration [in] not null.
  * @param field        [in] one of MIEN_REGISTRATION_RESIDUAL_MM, MIEN_REGISTRATION_WEIGHT,
  *                     MIEN_REGISTRATION_STANDARD_DEVIATION_MM, MIEN_REGISTRATION_RADIUS95_MM,
- *                     MIEN_REGISTRATION_NORMAL_DEVIATION_MM.
+ *                     MIEN_REGISTRATION_NORMAL_DEVIATION_MM, MIEN_REGISTRATION_SLIDE_MM,
+ *                     MIEN_REGISTRATION_TIE_AGREEMENT, MIEN_REGISTRATION_TIE_SHARE,
+ *                     MIEN_REGISTRATION_TIE_DEVIATION_MM.
  * @param dst          [out] room for capacity values, or null.
  * @param capacity     [in] values that dst holds.
  * @param count        [out] may be null; #V.
@@ -383,6 +392,65 @@ MIEN_API mien_status MIEN_CALL mien_registration_create(
     mien_session* session, const mien_mesh* mesh, const mien_array_view* weight,
     const mien_array_view* residual, const mien_array_view* standard_deviation, int32_t quality,
     mien_registration** out, mien_error* error);
+
+/** Initialise with mien_tie_options_init(). */
+typedef struct mien_tie_options {
+    uint32_t struct_size;
+    uint32_t reserved;         /**< zero */
+    double max_slide_mm;       /**< 0.1 to 20; default 6: no place moves farther */
+    double least_share;        /**< 0 to 1; default 0.2: of the skin that both visits see, the share
+                                  on which their pictures must agree, or nothing moves */
+    mien_progress_fn progress; /**< may be null */
+    void* progress_user;
+    mien_cancel* cancel; /**< may be null */
+} mien_tie_options;
+
+/**
+ * Writes the defaults into the first struct_size bytes of *options and zeroes what it does not
+ * know.
+ *
+ * @param options     [out] not null.
+ * @param struct_size [in] sizeof(mien_tie_options) of the caller.
+ * @errors none (does nothing when options is null or struct_size is below 4)
+ * @owner  nothing
+ * @thread thread-safe
+ * @cancel no
+ * @cost   O(1)
+ * @since  0.2
+ */
+MIEN_API void MIEN_CALL mien_tie_options_init(mien_tie_options* options, size_t struct_size);
+
+/**
+ * Ties a later visit's registration to an earlier one's along the skin: its places slide along the
+ * scan until each lies on the freckles and pores that it lay on at the earlier visit, where both
+ * scans' pictures (a texture image, or colours at the vertices) show the same detail, and go on
+ * smoothly where they do not. Form, verdict and weights stay; residuals, correspondence and
+ * deviations are those of the moved places. When the pictures agree on too little (another person,
+ * plain skin, very unlike light) nothing moves: that is no error, and the JSON report says so under
+ * "reference", with why.
+ *
+ * @param session        [in] not null.
+ * @param model          [in] not null; which both registrations were made with.
+ * @param reference      [in] not null; the earlier visit.
+ * @param reference_scan [in] not null; the scan that it was made of, with colours.
+ * @param registration   [in] not null; the later visit.
+ * @param scan           [in] not null; the scan that it was made of, with colours.
+ * @param options        [in] may be null: the defaults.
+ * @param out            [out] not null; the tied registration, or null on failure.
+ * @param error          [out] may be null.
+ * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (options; a scan without colours),
+ * MIEN_E_UNSUPPORTED_OPTION, MIEN_E_MISMATCH (a fit of another template; a scan that does not lie
+ * under its fit), MIEN_E_INVALID_MESH, MIEN_E_CANCELLED, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY
+ * @owner  the caller releases *out with mien_registration_release()
+ * @thread externally synchronized by session
+ * @cancel yes
+ * @cost   one to three seconds for two scans of 60,000 vertices
+ * @since  0.2
+ */
+MIEN_API mien_status MIEN_CALL mien_registration_tie(
+    mien_session* session, const mien_model* model, const mien_registration* reference,
+    const mien_mesh* reference_scan, const mien_registration* registration, const mien_mesh* scan,
+    const mien_tie_options* options, mien_registration** out, mien_error* error);
 
 /**
  * Adds a reference.

@@ -5,7 +5,7 @@ namespace mien::cli {
 namespace {
 
 struct RegisterArguments {
-    std::string model, scan, landmarks, out, heatmap, record;
+    std::string model, scan, landmarks, out, heatmap, record, reference, reference_scan;
     FitArguments fit;
     Common common;
 };
@@ -21,6 +21,17 @@ void write_heatmap(const std::string& path, const Registration& fit) {
     write_png(path, render_mesh(arrays_of(fit.mesh()), options));
 }
 
+/// Only what a good enough fit carries can be compared: a failed one is left as it is.
+Registration tied_to_reference(const Session& session, const Model& model, const Mesh& scan,
+                               const RegisterArguments& arguments, const Registration& fit) {
+    if (fit.verdict().quality == MIEN_QUALITY_FAILED) return fit;
+    const Registration reference(session, arguments.reference);
+    const Mesh reference_scan(session, arguments.reference_scan);
+    TieOptions options;
+    options.progress = progress_bar();
+    return fit.tied_to(session, model, reference, reference_scan, scan, options);
+}
+
 void run_register(const RegisterArguments& arguments) {
     const Session session(arguments.common.num_threads);
     const Model model(session, arguments.model);
@@ -32,7 +43,8 @@ void run_register(const RegisterArguments& arguments) {
     if (!arguments.landmarks.empty())
         landmarks = add_landmarks(session, model, arguments.landmarks, options);
     options.progress = progress_bar();
-    const Registration fit(session, model, scan, options);
+    Registration fit(session, model, scan, options);
+    if (!arguments.reference.empty()) fit = tied_to_reference(session, model, scan, arguments, fit);
     fit.mesh().save(session, arguments.out);
     nlohmann::json report = fit_report(fit, !arguments.common.json_path.empty());
     report["out"] = arguments.out;
@@ -64,6 +76,14 @@ void add_registration_commands(CLI::App& app) {
     command->add_option("--record", arguments->record,
                         "keep the fit with its errors as a safetensors file, which report and "
                         "measure volume read in place of a mesh");
+    auto* reference = command->add_option("--reference", arguments->reference,
+                                          "an earlier visit's fit of the same person, as --record "
+                                          "kept it: where both scans' textures "
+                                          "show the same skin, the new fit's places slide onto it");
+    auto* reference_scan = command->add_option("--reference-scan", arguments->reference_scan,
+                                               "the scan that the earlier visit's fit was made of");
+    reference->needs(reference_scan);
+    reference_scan->needs(reference);
     command->add_option("--heatmap", arguments->heatmap, "PNG of the distance to the scan");
     add_common_options(*command, arguments->common);
     command->footer(

@@ -148,6 +148,19 @@ class MainJob(unittest.TestCase):
         self.assertEqual(json.loads((WORK / "plain.json").read_text())["color_agreement"], {})
         self.assertNotEqual((WORK / "plain.ply").read_bytes(), (WORK / "fitted.ply").read_bytes())
 
+    def test_a_visit_tied_to_itself_stays_on_its_skin(self):
+        demo = WORK / "demo"
+        command = ("register", "--model", WORK / "face.safetensors", "--scan", demo / "scan/scan_grin.ply",
+                   "--landmarks", demo / "scan/landmarks.json")
+        must(*command, "--out", WORK / "first.ply", "--record", WORK / "first.safetensors")
+        must(*command, "--out", WORK / "tied.ply", "--json", WORK / "tied.json", "--reference", WORK / "first.safetensors",
+             "--reference-scan", demo / "scan/scan_grin.ply")
+        reference = json.loads((WORK / "tied.json").read_text())["reference"]
+        self.assertTrue(reference["tied"], reference)
+        self.assertLess(reference["median_slide_mm"], 0.1)
+        self.assertIn("needs", self.refused(*command, "--out", WORK / "x.ply", "--reference", WORK / "first.safetensors")
+                      .replace("requires", "needs"))
+
     def test_ways_to_correspond_are_heard(self):
         demo = WORK / "demo"
         for number, option in enumerate((["--soft", 1.5], ["--mutual", 6], ["--max-distance", 2], ["--max-angle", 20],

@@ -69,7 +69,8 @@ namespace Mien
 
         /// <summary>Copies a field with one float64 per template vertex.</summary>
         /// <param name="field">one of MIEN_REGISTRATION_RESIDUAL_MM, MIEN_REGISTRATION_WEIGHT, MIEN_REGISTRATION_STANDARD_DEVIATION_MM,
-        /// MIEN_REGISTRATION_RADIUS95_MM, MIEN_REGISTRATION_NORMAL_DEVIATION_MM.</param>
+        /// MIEN_REGISTRATION_RADIUS95_MM, MIEN_REGISTRATION_NORMAL_DEVIATION_MM, MIEN_REGISTRATION_SLIDE_MM,
+        /// MIEN_REGISTRATION_TIE_AGREEMENT, MIEN_REGISTRATION_TIE_SHARE, MIEN_REGISTRATION_TIE_DEVIATION_MM.</param>
         /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_NOT_FOUND (no such field, or it is not known of this registration)</exception>
         /// <remarks>C: mien_registration_get_field()</remarks>
         public double[] GetField(RegistrationKind field)
@@ -201,6 +202,59 @@ namespace Mien
                 call.Check(Functions.mien_registration_create(sessionAt, meshAt, weightAt, residualAt, standardDeviationAt, (int)quality, outAt, call.Error));
                 return call.Keep(new Registration(call.Pointer(outAt)));
             }
+        }
+
+        /// <summary>Ties a later visit's registration to an earlier one's along the skin: its places slide along the scan until each
+        /// lies on the freckles and pores that it lay on at the earlier visit, where both scans' pictures (a texture image,
+        /// or colours at the vertices) show the same detail, and go on smoothly where they do not. Form, verdict and
+        /// weights stay; residuals, correspondence and deviations are those of the moved places. When the pictures agree on
+        /// too little (another person, plain skin, very unlike light) nothing moves: that is no error, and the JSON report
+        /// says so under "reference", with why.</summary>
+        /// <param name="model">which both registrations were made with.</param>
+        /// <param name="referenceScan">the scan that it was made of, with colours.</param>
+        /// <param name="registration">the later visit.</param>
+        /// <param name="scan">the scan that it was made of, with colours.</param>
+        /// <param name="options">may be left out: the defaults.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (options; a scan without colours), MIEN_E_UNSUPPORTED_OPTION,
+        /// MIEN_E_MISMATCH (a fit of another template; a scan that does not lie under its fit), MIEN_E_INVALID_MESH,
+        /// MIEN_E_CANCELLED, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_registration_tie()</remarks>
+        public Registration Tie(Session session, Model model, Mesh referenceScan, Registration registration, Mesh scan, TieOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            using (var call = new Call())
+            {
+                call.Lock(session);
+                var sessionAt = call.Use(session);
+                var modelAt = call.Use(model);
+                var referenceAt = call.Use(this);
+                var referenceScanAt = call.Use(referenceScan);
+                var registrationAt = call.Use(registration);
+                var scanAt = call.Use(scan);
+                var optionsAt = (options ?? new TieOptions()).Write(call, progress, cancellationToken);
+                var outAt = call.Room(8);
+                call.Check(Functions.mien_registration_tie(sessionAt, modelAt, referenceAt, referenceScanAt, registrationAt, scanAt, optionsAt, outAt, call.Error));
+                return call.Keep(new Registration(call.Pointer(outAt)));
+            }
+        }
+
+        /// <summary>Ties a later visit's registration to an earlier one's along the skin: its places slide along the scan until each
+        /// lies on the freckles and pores that it lay on at the earlier visit, where both scans' pictures (a texture image,
+        /// or colours at the vertices) show the same detail, and go on smoothly where they do not. Form, verdict and
+        /// weights stay; residuals, correspondence and deviations are those of the moved places. When the pictures agree on
+        /// too little (another person, plain skin, very unlike light) nothing moves: that is no error, and the JSON report
+        /// says so under "reference", with why.</summary>
+        /// <param name="model">which both registrations were made with.</param>
+        /// <param name="referenceScan">the scan that it was made of, with colours.</param>
+        /// <param name="registration">the later visit.</param>
+        /// <param name="scan">the scan that it was made of, with colours.</param>
+        /// <param name="options">may be left out: the defaults.</param>
+        /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (options; a scan without colours), MIEN_E_UNSUPPORTED_OPTION,
+        /// MIEN_E_MISMATCH (a fit of another template; a scan that does not lie under its fit), MIEN_E_INVALID_MESH,
+        /// MIEN_E_CANCELLED, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY</exception>
+        /// <remarks>C: mien_registration_tie()</remarks>
+        public Task<Registration> TieAsync(Session session, Model model, Mesh referenceScan, Registration registration, Mesh scan, TieOptions options = null, IProgress<Progress> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            return Task.Run(() => Tie(session, model, referenceScan, registration, scan, options, progress, cancellationToken), cancellationToken);
         }
 
         /// <summary>The coefficients of a registered face: its fitted template, brought back into the model's frame by the

@@ -21,5 +21,13 @@ namespace Mien
         Radius95Mm = 4,
         /// <summary>how far the surface may lie off the skin along its normal: what mien_measure_options wants. Since 0.2</summary>
         NormalDeviationMm = 5,
+        /// <summary>how far mien_registration_tie() moved the place. Since 0.2</summary>
+        SlideMm = 6,
+        /// <summary>-1 to 1: correlation of both visits' pictures around the place after the slide; 0: not compared. Since 0.2</summary>
+        TieAgreement = 7,
+        /// <summary>0 to 1: how far the texture holds the place. Since 0.2</summary>
+        TieShare = 8,
+        /// <summary>between both visits' places along the skin, per axis; 0 where the texture holds nothing. Since 0.2</summary>
+        TieDeviationMm = 9,
     }
 }

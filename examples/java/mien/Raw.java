@@ -137,6 +137,8 @@ interface Raw {
     int mien_registration_save(long session, long registration, long path, long error);
     int mien_registration_load(long session, long path, long out, long error);
     int mien_registration_create(long session, long mesh, long weight, long residual, long standardDeviation, int quality, long out, long error);
+    void mien_tie_options_init(long options, long structSize);
+    int mien_registration_tie(long session, long model, long reference, long referenceScan, long registration, long scan, long options, long out, long error);
     void mien_registration_retain(long registration);
     void mien_registration_release(long registration);
     int mien_surface_transfer_points(long session, long surface, long points, double maxDistanceMm, long triangles, long barycentric, long positions, long capacity, long count, long error);

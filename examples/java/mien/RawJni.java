@@ -130,6 +130,8 @@ final class RawJni implements Raw {
     @Override public native int mien_registration_save(long session, long registration, long path, long error);
     @Override public native int mien_registration_load(long session, long path, long out, long error);
     @Override public native int mien_registration_create(long session, long mesh, long weight, long residual, long standardDeviation, int quality, long out, long error);
+    @Override public native void mien_tie_options_init(long options, long structSize);
+    @Override public native int mien_registration_tie(long session, long model, long reference, long referenceScan, long registration, long scan, long options, long out, long error);
     @Override public native void mien_registration_retain(long registration);
     @Override public native void mien_registration_release(long registration);
     @Override public native int mien_surface_transfer_points(long session, long surface, long points, double maxDistanceMm, long triangles, long barycentric, long positions, long capacity, long count, long error);

@@ -63,7 +63,8 @@ public final class Registration extends NativeObject {
      * Copies a field with one float64 per template vertex. C: mien_registration_get_field().
      * @param field one of MIEN_REGISTRATION_RESIDUAL_MM, MIEN_REGISTRATION_WEIGHT,
      * MIEN_REGISTRATION_STANDARD_DEVIATION_MM, MIEN_REGISTRATION_RADIUS95_MM,
-     * MIEN_REGISTRATION_NORMAL_DEVIATION_MM. See RegistrationKind.
+     * MIEN_REGISTRATION_NORMAL_DEVIATION_MM, MIEN_REGISTRATION_SLIDE_MM, MIEN_REGISTRATION_TIE_AGREEMENT,
+     * MIEN_REGISTRATION_TIE_SHARE, MIEN_REGISTRATION_TIE_DEVIATION_MM. See RegistrationKind.
      * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_NOT_FOUND (no such field, or it is not known of this
      * registration)
      */
@@ -204,6 +205,64 @@ public final class Registration extends NativeObject {
      */
     public static Registration create(Session session, Mesh mesh, int quality) {
         return create(session, mesh, quality, null, null, null);
+    }
+
+    /**
+     * Ties a later visit's registration to an earlier one's along the skin: its places slide along the scan until
+     * each lies on the freckles and pores that it lay on at the earlier visit, where both scans' pictures (a
+     * texture image, or colours at the vertices) show the same detail, and go on smoothly where they do not.
+     * Form, verdict and weights stay; residuals, correspondence and deviations are those of the moved places.
+     * When the pictures agree on too little (another person, plain skin, very unlike light) nothing moves: that
+     * is no error, and the JSON report says so under "reference", with why. C: mien_registration_tie().
+     * @param model which both registrations were made with.
+     * @param referenceScan the scan that it was made of, with colours.
+     * @param registration the later visit.
+     * @param scan the scan that it was made of, with colours.
+     * @param options may be left out: the defaults.
+     * @param progress may be null; returns false to cancel
+     * @param cancel may be null; interrupting the thread cancels as well
+     * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (options; a scan without colours),
+     * MIEN_E_UNSUPPORTED_OPTION, MIEN_E_MISMATCH (a fit of another template; a scan that does not lie under its
+     * fit), MIEN_E_INVALID_MESH, MIEN_E_CANCELLED, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY
+     */
+    public Registration tie(Session session, Model model, Mesh referenceScan, Registration registration, Mesh scan, TieOptions options, Progress progress, Cancel cancel) {
+        try (Call call = new Call()) {
+            call.lock(session);
+            var sessionAt = call.use(session);
+            var modelAt = call.use(model);
+            var referenceAt = call.use(this);
+            var referenceScanAt = call.use(referenceScan);
+            var registrationAt = call.use(registration);
+            var scanAt = call.use(scan);
+            var optionsAt = (options == null ? new TieOptions() : options).write(call, progress, cancel);
+            var outAt = call.room(8);
+            call.check(Raw.GET.mien_registration_tie(Memory.address(sessionAt), Memory.address(modelAt), Memory.address(referenceAt), Memory.address(referenceScanAt), Memory.address(registrationAt), Memory.address(scanAt), Memory.address(optionsAt), Memory.address(outAt), call.error()));
+            return call.keep(new Registration(call.pointer(outAt)));
+        }
+    }
+
+    /**
+     * Ties a later visit's registration to an earlier one's along the skin: its places slide along the scan until
+     * each lies on the freckles and pores that it lay on at the earlier visit, where both scans' pictures (a
+     * texture image, or colours at the vertices) show the same detail, and go on smoothly where they do not.
+     * Form, verdict and weights stay; residuals, correspondence and deviations are those of the moved places.
+     * When the pictures agree on too little (another person, plain skin, very unlike light) nothing moves: that
+     * is no error, and the JSON report says so under "reference", with why. All else as by default.
+     */
+    public Registration tie(Session session, Model model, Mesh referenceScan, Registration registration, Mesh scan) {
+        return tie(session, model, referenceScan, registration, scan, null, null, null);
+    }
+
+    /**
+     * Ties a later visit's registration to an earlier one's along the skin: its places slide along the scan until
+     * each lies on the freckles and pores that it lay on at the earlier visit, where both scans' pictures (a
+     * texture image, or colours at the vertices) show the same detail, and go on smoothly where they do not.
+     * Form, verdict and weights stay; residuals, correspondence and deviations are those of the moved places.
+     * When the pictures agree on too little (another person, plain skin, very unlike light) nothing moves: that
+     * is no error, and the JSON report says so under "reference", with why. All else as by default.
+     */
+    public Registration tie(Session session, Model model, Mesh referenceScan, Registration registration, Mesh scan, TieOptions options) {
+        return tie(session, model, referenceScan, registration, scan, options, null, null);
     }
 
     /**

@@ -22,4 +22,16 @@ public final class RegistrationKind {
 
     /** how far the surface may lie off the skin along its normal: what mien_measure_options wants. Since 0.2 */
     public static final int NORMAL_DEVIATION_MM = 5;
+
+    /** how far mien_registration_tie() moved the place. Since 0.2 */
+    public static final int SLIDE_MM = 6;
+
+    /** -1 to 1: correlation of both visits' pictures around the place after the slide; 0: not compared. Since 0.2 */
+    public static final int TIE_AGREEMENT = 7;
+
+    /** 0 to 1: how far the texture holds the place. Since 0.2 */
+    public static final int TIE_SHARE = 8;
+
+    /** between both visits' places along the skin, per axis; 0 where the texture holds nothing. Since 0.2 */
+    public static final int TIE_DEVIATION_MM = 9;
 }

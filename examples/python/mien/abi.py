@@ -373,6 +373,18 @@ class ExpectedError(ctypes.Structure):
     ]
 
 
+class TieOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("reserved", ctypes.c_uint32),
+        ("max_slide_mm", ctypes.c_double),
+        ("least_share", ctypes.c_double),
+        ("progress", ProgressFn),
+        ("progress_user", ctypes.c_void_p),
+        ("cancel", ctypes.c_void_p),
+    ]
+
+
 class BatchOptions(ctypes.Structure):
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
@@ -1013,6 +1025,15 @@ STRUCTS = {
         ("low_mm", "scalar", "double", (), ""),
         ("high_mm", "scalar", "double", (), ""),
         ("unseen", "scalar", "double", (), ""),
+    ),
+    "mien_tie_options": (
+        ("struct_size", "struct_size", "uint32_t", (), ""),
+        ("reserved", "reserved", "uint32_t", (), ""),
+        ("max_slide_mm", "scalar", "double", (), ""),
+        ("least_share", "scalar", "double", (), ""),
+        ("progress", "callback", "mien_progress_fn", (), ""),
+        ("progress_user", "user", "void", (), ""),
+        ("cancel", "handle", "mien_cancel", (), ""),
     ),
     "mien_batch_options": (
         ("struct_size", "struct_size", "uint32_t", (), ""),
@@ -2023,6 +2044,21 @@ FUNCTIONS = {
         ("residual", "matrix", "mien_array_view", (1,), True, ""),
         ("standard_deviation", "matrix", "mien_array_view", (1,), True, ""),
         ("quality", "scalar", "int32_t", (), False, "QUALITY"),
+        ("out", "handle_out", "mien_registration", (), False, ""),
+        ("error", "error", "mien_error", (), True, ""),
+    )),
+    "mien_tie_options_init": (None, (), (
+        ("options", "struct_out", "mien_tie_options", (), False, ""),
+        ("struct_size", "struct_size", "size_t", (), False, ""),
+    )),
+    "mien_registration_tie": (ctypes.c_int32, ('session',), (
+        ("session", "handle", "mien_session", (), False, ""),
+        ("model", "handle", "mien_model", (), False, ""),
+        ("reference", "handle", "mien_registration", (), False, ""),
+        ("reference_scan", "handle", "mien_mesh", (), False, ""),
+        ("registration", "handle", "mien_registration", (), False, ""),
+        ("scan", "handle", "mien_mesh", (), False, ""),
+        ("options", "struct", "mien_tie_options", (), True, ""),
         ("out", "handle_out", "mien_registration", (), False, ""),
         ("error", "error", "mien_error", (), True, ""),
     )),

@@ -47,6 +47,14 @@ struct RegisterCall {
 
 }  // namespace detail
 
+/// The settings of mien_tie_options, set to the defaults.
+struct TieOptions {
+    TieOptions() { mien_tie_options_init(&c, sizeof c); }
+    Progress progress;
+    mien_cancel* cancel = nullptr;
+    mien_tie_options c;
+};
+
 /// A fitted template; copies share it.
 class Registration {
   public:
@@ -87,6 +95,21 @@ class Registration {
     }
     void save(const Session& session, const std::string& path) const {
         detail::call(mien_registration_save, session.get(), get(), path.c_str());
+    }
+
+    /// This later visit's fit tied to `reference` along the skin by the textures of both scans;
+    /// when they do not agree its places are these, and json() says why.
+    Registration tied_to(const Session& session, const Model& model, const Registration& reference,
+                         const Mesh& reference_scan, const Mesh& scan,
+                         const TieOptions& settings = {}) const {
+        mien_tie_options options = settings.c;
+        options.cancel = settings.cancel;
+        detail::ProgressBridge bridge(settings.progress);
+        bridge.install(options);
+        mien_registration* tied = nullptr;
+        bridge.call(mien_registration_tie, session.get(), model.get(), reference.get(),
+                    reference_scan.get(), get(), scan.get(), &options, &tied);
+        return Registration(tied);
     }
 
     /// The fitted template, scan frame, mm.

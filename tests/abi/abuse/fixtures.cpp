@@ -229,6 +229,8 @@ std::vector<std::uint64_t> Fixtures::structure(const StructRow& row, std::size_t
         put(bytes, offsetof(mien_mesh_arrays, triangles), triangles_.data());
         put(bytes, offsetof(mien_mesh_arrays, triangle_count),
             std::uint64_t{triangles_.size() / 3});
+        static const std::vector<std::uint8_t> colors(3 * kVertices, 150);
+        put(bytes, offsetof(mien_mesh_arrays, colors), colors.data());
         static const std::uint8_t pixels[12] = {};
         static const mien_image image{"skin.png", pixels, 0, 2, 2, nullptr, 0};
         static const mien_material material{"skin", 0, 0, 1, 1, 1};

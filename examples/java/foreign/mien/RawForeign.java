@@ -635,6 +635,16 @@ final class RawForeign implements Raw {
         try { return (int) mien_registration_create.invokeExact(session, mesh, weight, residual, standardDeviation, quality, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
     }
 
+    private final MethodHandle mien_tie_options_init = library.find("mien_tie_options_init", FunctionDescriptor.ofVoid(JAVA_LONG, JAVA_LONG));
+    @Override public void mien_tie_options_init(long options, long structSize) {
+        try { mien_tie_options_init.invokeExact(options, structSize); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
+    private final MethodHandle mien_registration_tie = library.find("mien_registration_tie", FunctionDescriptor.of(JAVA_INT, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG, JAVA_LONG));
+    @Override public int mien_registration_tie(long session, long model, long reference, long referenceScan, long registration, long scan, long options, long out, long error) {
+        try { return (int) mien_registration_tie.invokeExact(session, model, reference, referenceScan, registration, scan, options, out, error); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }
+    }
+
     private final MethodHandle mien_registration_retain = library.find("mien_registration_retain", FunctionDescriptor.ofVoid(JAVA_LONG));
     @Override public void mien_registration_retain(long registration) {
         try { mien_registration_retain.invokeExact(registration); } catch (Throwable thrown) { throw ForeignLibrary.unexpected(thrown); }

@@ -122,6 +122,7 @@ from .study_kind import StudyKind
 from .study_options import StudyOptions
 from .study_value import StudyValue
 from .surface_transfer_points import SurfaceTransferPoints
+from .tie_options import TieOptions
 from .train import Train
 from .train_options import TrainOptions
 from .transfer import Transfer
@@ -258,6 +259,7 @@ __all__ = [
     "StudyOptions",
     "StudyValue",
     "SurfaceTransferPoints",
+    "TieOptions",
     "Train",
     "TrainOptions",
     "Transfer",

@@ -52,7 +52,8 @@ class Registration(_Object):
         """Copies a field with one float64 per template vertex.
         field: one of MIEN_REGISTRATION_RESIDUAL_MM, MIEN_REGISTRATION_WEIGHT,
         MIEN_REGISTRATION_STANDARD_DEVIATION_MM, MIEN_REGISTRATION_RADIUS95_MM,
-        MIEN_REGISTRATION_NORMAL_DEVIATION_MM.
+        MIEN_REGISTRATION_NORMAL_DEVIATION_MM, MIEN_REGISTRATION_SLIDE_MM, MIEN_REGISTRATION_TIE_AGREEMENT,
+        MIEN_REGISTRATION_TIE_SHARE, MIEN_REGISTRATION_TIE_DEVIATION_MM.
         Fails with MIEN_E_INVALID_HANDLE, MIEN_E_NOT_FOUND (no such field, or it is not known of this
         registration).
         C: mien_registration_get_field()
@@ -118,6 +119,25 @@ class Registration(_Object):
         C: mien_registration_create()
         """
         return _run("mien_registration_create", {"session": session, "mesh": mesh, "quality": quality, "weight": weight, "residual": residual, "standard_deviation": standard_deviation})[0]
+
+    def tie(self, session: Session, model: Model, reference_scan: Mesh, registration: Registration, scan: Mesh, options: TieOptions | None = None, progress: Progress | None = None, cancel: Cancel | None = None) -> Registration:
+        """Ties a later visit's registration to an earlier one's along the skin: its places slide along the scan until
+        each lies on the freckles and pores that it lay on at the earlier visit, where both scans' pictures (a
+        texture image, or colours at the vertices) show the same detail, and go on smoothly where they do not. Form,
+        verdict and weights stay; residuals, correspondence and deviations are those of the moved places. When the
+        pictures agree on too little (another person, plain skin, very unlike light) nothing moves: that is no
+        error, and the JSON report says so under "reference", with why.
+        model: which both registrations were made with.
+        reference_scan: the scan that it was made of, with colours.
+        registration: the later visit.
+        scan: the scan that it was made of, with colours.
+        options: may be left out: the defaults.
+        Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT (options; a scan without colours),
+        MIEN_E_UNSUPPORTED_OPTION, MIEN_E_MISMATCH (a fit of another template; a scan that does not lie under
+        its fit), MIEN_E_INVALID_MESH, MIEN_E_CANCELLED, MIEN_E_MEMORY_BUDGET, MIEN_E_NO_MEMORY.
+        C: mien_registration_tie()
+        """
+        return _run("mien_registration_tie", {"session": session, "model": model, "reference_scan": reference_scan, "registration": registration, "scan": scan, "options": options, "reference": self}, progress=progress, cancel=cancel)[0]
 
     def coefficients(self, session: Session, model: Model, ridge_mm2: float) -> numpy.ndarray:
         """The coefficients of a registered face: its fitted template, brought back into the model's frame by the

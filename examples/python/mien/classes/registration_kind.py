@@ -30,3 +30,11 @@ class RegistrationKind(enum.IntEnum):
     RADIUS95_MM = 4
     #: how far the surface may lie off the skin along its normal: what mien_measure_options wants. Since 0.2
     NORMAL_DEVIATION_MM = 5
+    #: how far mien_registration_tie() moved the place. Since 0.2
+    SLIDE_MM = 6
+    #: -1 to 1: correlation of both visits' pictures around the place after the slide; 0: not compared. Since 0.2
+    TIE_AGREEMENT = 7
+    #: 0 to 1: how far the texture holds the place. Since 0.2
+    TIE_SHARE = 8
+    #: between both visits' places along the skin, per axis; 0 where the texture holds nothing. Since 0.2
+    TIE_DEVIATION_MM = 9
