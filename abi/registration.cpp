@@ -35,7 +35,7 @@ mien_registration::mien_registration(TiedVisit&& tied, const mien_registration& 
       zones(kept.zones),
       tie(std::make_shared<const TextureTie>(std::move(tied.tie))),
       json(registration_json(data, tie_json(*tie, zones))) {
-    data.fitted.vertices = data.fitted.vertices.cast<float>().cast<double>();
+    if (tie->tied) data.fitted.vertices = data.fitted.vertices.cast<float>().cast<double>();
     TriMesh face = std::move(data.fitted);
     face.colors = kept.mesh->mesh->colors;
     face.take_appearance_of(*kept.mesh->mesh);

@@ -41,6 +41,7 @@ mien_status MIEN_CALL mien_registration_tie(mien_session* session, const mien_mo
     return guarded_create(out, error, [&] {
         const mien_tie_options given = read_options(
             options, default_tie_options(), MIEN_FIRST_SIZE(mien_tie_options, cancel), "options");
+        if (given.reserved != 0) fail(Status::unsupported_option, "options.reserved is not zero");
         ReferenceSettings settings;
         settings.tie.most_slide_mm = given.max_slide_mm;
         settings.tie.least_share = given.least_share;

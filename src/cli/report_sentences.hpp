@@ -9,6 +9,40 @@ namespace mien::cli {
 
 /// What the library says; "*" stands for a number, a zone or a sentence of this table.
 inline constexpr ReportText kSentences[] = {
+    {"tied to the reference visit by texture: the pictures agree on a share of * of the skin seen "
+     "twice, and held places slid by * mm (median)",
+     {"tied to the reference visit by texture: the pictures agree on a share of {0} of the skin "
+      "seen "
+      "twice, and held places slid by {1} mm (median)",
+      "über die Textur an den früheren Besuch gebunden: die Bilder stimmen auf einem Anteil von "
+      "{0} "
+      "der zweimal gesehenen Haut überein, gehaltene Orte glitten um {1} mm (Median)",
+      "lié à la visite de référence par la texture : les images concordent sur une part de {0} de "
+      "la "
+      "peau vue deux fois, les points tenus ont glissé de {1} mm (médiane)"}},
+    {"not tied to the reference visit, nothing moved: *",
+     {"not tied to the reference visit, nothing moved: {0}",
+      "nicht an den früheren Besuch gebunden, nichts wurde bewegt: {0}",
+      "non lié à la visite de référence, rien n'a bougé : {0}"}},
+    {"too little of the skin (a share of *) is seen in colour and near the fit at both visits: "
+     "give "
+     "scans of the same part of the face",
+     {"too little of the skin (a share of {0}) is seen in colour and near the fit at both visits: "
+      "give scans of the same part of the face",
+      "zu wenig der Haut (ein Anteil von {0}) ist bei beiden Besuchen in Farbe und nahe der "
+      "Anpassung zu sehen: Scans desselben Teils des Gesichts angeben",
+      "trop peu de la peau (une part de {0}) est vue en couleur et près de l'ajustement aux deux "
+      "visites : donnez des scans de la même partie du visage"}},
+    {"the two pictures agree on a share of only * of the skin: another person, skin without "
+     "detail, "
+     "blurred pictures or very unlike light",
+     {"the two pictures agree on a share of only {0} of the skin: another person, skin without "
+      "detail, blurred pictures or very unlike light",
+      "die beiden Bilder stimmen nur auf einem Anteil von {0} der Haut überein: eine andere "
+      "Person, "
+      "Haut ohne Einzelheiten, unscharfe Bilder oder sehr anderes Licht",
+      "les deux images ne concordent que sur une part de {0} de la peau : une autre personne, une "
+      "peau sans détail, des images floues ou une lumière très différente"}},
     {"too little of the zone was seen in one of the visits",
      {"too little of the zone was seen in one of the visits",
       "zu wenig der Zone wurde bei einem der Besuche gesehen",

@@ -130,11 +130,10 @@ void measure_again(const ReadyVisit& made, const Points& places, const Triangles
 void add_note(const TextureTie& tie, Verdict& verdict) {
     char text[400];
     if (tie.tied)
-        std::snprintf(
-            text, sizeof text,
-            "tied to the reference visit by texture: the pictures agree on %.0f %% of the "
-            "skin seen twice; places that are held slid by %.2f mm (median)",
-            100 * tie.agreeing, tie.median_slide_mm);
+        std::snprintf(text, sizeof text,
+                      "tied to the reference visit by texture: the pictures agree on a share of "
+                      "%.2f of the skin seen twice, and held places slid by %.2f mm (median)",
+                      tie.agreeing, tie.median_slide_mm);
     else
         std::snprintf(text, sizeof text, "not tied to the reference visit, nothing moved: %s",
                       tie.why_not.c_str());
@@ -156,9 +155,9 @@ void check_reference_settings(const ReferenceSettings& settings) {
     check_range(tie.views.pixel_mm, 0.1, 5, "views.pixel_mm (mm)");
     for (const TieRound& round : tie.rounds) {
         check_range(round.halvings, 0, 4, "a round's halvings");
-        check_range(round.reach, 1, 32, "a round's reach (pixels)");
-        check_range(round.window_mm, 1, 100, "a round's window_mm (mm)");
-        check_range(round.coarse_mm, 0.5, 100, "a round's coarse_mm (mm)");
+        check_range(round.reach, 1, 32, "a round's reach");
+        check_range(round.window_mm, 1, 100, "round's window_mm");
+        check_range(round.coarse_mm, 0.5, 100, "round's coarse_mm");
     }
 }
 

@@ -365,19 +365,18 @@ void Tie::place(TextureTie& tie) {
 std::string Tie::reason_against(const TextureTie& tie) const {
     char text[300];
     if (tie.compared < settings_.least_compared) {
-        std::snprintf(
-            text, sizeof text,
-            "only %.0f %% of the skin is seen, in colour and near the fit, at both visits; "
-            "at least %.0f %% are needed: give scans of the same part of the face",
-            100 * tie.compared, 100 * settings_.least_compared);
+        std::snprintf(text, sizeof text,
+                      "too little of the skin (a share of %.2f) is seen in colour and near the fit "
+                      "at both visits: give scans of the same part of the face",
+                      tie.compared);
         return text;
     }
     if (tie.agreeing >= settings_.least_share) return {};
     std::snprintf(
         text, sizeof text,
-        "the two pictures of the skin agree on %.0f %% of it, of which at least %.0f %% "
-        "must: another person, skin without detail, blurred pictures or very unlike light",
-        100 * tie.agreeing, 100 * settings_.least_share);
+        "the two pictures agree on a share of only %.2f of the skin: another person, skin "
+        "without detail, blurred pictures or very unlike light",
+        tie.agreeing);
     return text;
 }
 

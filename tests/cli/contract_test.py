@@ -158,8 +158,9 @@ class MainJob(unittest.TestCase):
         reference = json.loads((WORK / "tied.json").read_text())["reference"]
         self.assertTrue(reference["tied"], reference)
         self.assertLess(reference["median_slide_mm"], 0.1)
-        self.assertIn("needs", self.refused(*command, "--out", WORK / "x.ply", "--reference", WORK / "first.safetensors")
-                      .replace("requires", "needs"))
+        status, _, err = run(*command, "--out", WORK / "x.ply", "--reference", WORK / "first.safetensors")
+        self.assertEqual(status, 2)
+        self.assertIn("--reference-scan", err)
 
     def test_ways_to_correspond_are_heard(self):
         demo = WORK / "demo"

@@ -13,6 +13,7 @@ namespace Mien
         /// <summary>With the library's defaults.</summary>
         public TieOptions()
         {
+            Library.Need();
             var raw = default(Native.TieOptions);
             Functions.mien_tie_options_init((IntPtr)(&raw), (UIntPtr)sizeof(Native.TieOptions));
             MaxSlideMm = raw.maxSlideMm;
