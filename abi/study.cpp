@@ -29,7 +29,7 @@ mien_study_options default_study_options() {
     const StudySettings core;
     mien_study_options options{};
     options.margin_mm = core.zones.margin_mm;
-    options.measure_walls = core.zones.walls ? 1 : 0;
+    options.measure_unseen = core.zones.unseen ? 1 : 0;
     options.level = core.reporting.level;
     options.noise_mm = core.surface.noise_mm;
     options.correlation_length_mm = core.surface.correlation_length_mm;
@@ -44,9 +44,9 @@ mien_study_options read_study_options(const mien_study_options* given) {
         given, default_study_options(), MIEN_FIRST_SIZE(mien_study_options, cancel), "options");
     if (options.reserved != 0 || options.reserved_end != 0)
         fail(Status::unsupported_option, "options.reserved or reserved_end is not zero");
-    if (options.measure_walls != 0 && options.measure_walls != 1)
-        fail(Status::invalid_argument, "options.measure_walls is %d; give 0 or 1",
-             options.measure_walls);
+    if (options.measure_unseen != 0 && options.measure_unseen != 1)
+        fail(Status::invalid_argument, "options.measure_unseen is %d; give 0 or 1",
+             options.measure_unseen);
     check_numbers({{"margin_mm", options.margin_mm},
                    {"level", options.level},
                    {"noise_mm", options.noise_mm},
@@ -77,7 +77,7 @@ StudySettings settings_of(const mien_study_options& given, Index num_vertices,
     settings.zones.stable =
         read_names(given.stable_zones, given.stable_count, "options.stable_zones");
     settings.zones.margin_mm = given.margin_mm;
-    settings.zones.walls = given.measure_walls != 0;
+    settings.zones.unseen = given.measure_unseen != 0;
     settings.reporting.level = given.level;
     settings.reporting.min_seen_share = given.min_seen_share;
     settings.surface.noise_mm = given.noise_mm;

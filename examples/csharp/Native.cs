@@ -641,7 +641,7 @@ namespace Mien.Native
         public IntPtr progress;
         public IntPtr progressUser;
         public IntPtr cancel;
-        public int measureWalls;
+        public int measureUnseen;
         public uint reservedEnd;
     }
 

@@ -468,7 +468,7 @@ STATIC_CHECK(offsetof(mien_study_options, min_seen_share) == 120, place_of_mien_
 STATIC_CHECK(offsetof(mien_study_options, progress) == 128, place_of_mien_study_options_progress);
 STATIC_CHECK(offsetof(mien_study_options, progress_user) == 136, place_of_mien_study_options_progress_user);
 STATIC_CHECK(offsetof(mien_study_options, cancel) == 144, place_of_mien_study_options_cancel);
-STATIC_CHECK(offsetof(mien_study_options, measure_walls) == 152, place_of_mien_study_options_measure_walls);
+STATIC_CHECK(offsetof(mien_study_options, measure_unseen) == 152, place_of_mien_study_options_measure_unseen);
 STATIC_CHECK(offsetof(mien_study_options, reserved_end) == 156, place_of_mien_study_options_reserved_end);
 STATIC_CHECK(sizeof(mien_study_value) == 40, size_of_mien_study_value);
 STATIC_CHECK(offsetof(mien_study_value, value) == 0, place_of_mien_study_value_value);

@@ -50,11 +50,11 @@ typedef struct mien_study_options {
                                      default 0.1 */
     mien_progress_fn progress;    /**< may be null */
     void* progress_user;
-    mien_cancel* cancel;   /**< may be null */
-    int32_t measure_walls; /**< 1: zones keep the walls that no scanner sees (sacs of nostrils,
-                              insides of lips and lids), which a fit guesses; default 0: left out
-                              of the zones */
-    uint32_t reserved_end; /**< zero */
+    mien_cancel* cancel;    /**< may be null */
+    int32_t measure_unseen; /**< 1: zones keep what no scan saw, which fits guess: walls in
+                               nostrils, lips and lids, skin unseen in every visit; default 0: left
+                               out of the zones */
+    uint32_t reserved_end;  /**< zero */
 } mien_study_options;
 
 /** A number with its error. NaN: not known. */

@@ -401,9 +401,9 @@ void add_report_commands(CLI::App& app) {
                      "with them: treatments spread")
         ->check(CLI::Range(0.0, 100.0))
         ->capture_default_str();
-    command->add_flag("--walls", settings->study.measure_walls,
-                      "measure the walls that no scanner sees too: sacs of nostrils, insides of "
-                      "lips and lids");
+    command->add_flag("--unseen", settings->study.measure_unseen,
+                      "measure what no scan saw too, as fits guess it: walls in nostrils, lips and "
+                      "lids, skin unseen in every visit");
     command->add_option("--stable", settings->stable,
                         "zones to align on; default: forehead,nose, and with --expressions and "
                         "--treated all that was not treated");

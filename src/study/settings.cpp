@@ -26,6 +26,7 @@ void check_study_settings(const StudySettings& settings) {
     require(settings.expression.untrained_share, 0, 1000, "untrained_share");
     require(settings.zones.margin_mm, 0, 100, "margin_mm");
     require(settings.reporting.min_seen_share, 0, 1, "min_seen_share");
+    require(settings.reporting.least_seen_weight, 0, 1, "least_seen_weight");
     require(settings.reporting.max_outside_share, 0, 1, "max_outside_share");
     if (!(settings.reporting.level > 0) || !(settings.reporting.level < 1))
         fail(Status::invalid_argument, "level is %g; give one above 0 and below 1",

@@ -51,10 +51,10 @@ struct StudyZoneSettings {
     /// Around the treated zones, mm, 0 to 100: no witness of expression or pose either, and
     /// measured with them as "NAME and 10 mm around": treatments spread.
     double margin_mm = 10.0;
-    /// Zones keep the walls that no scanner sees (model/template_walls.hpp): the sacs of nostrils,
-    /// the insides of lips and lids. A fit guesses them, and a guess that moves is no change:
+    /// Zones keep what no scan saw: the walls in nostrils, lips and lids (model/template_walls.hpp)
+    /// and skin that no visit saw. A fit guesses it, and a guess that moves is no change:
     /// tests/bench/README.md, "Injections elsewhere".
-    bool walls = false;
+    bool unseen = false;
 };
 
 /// When a number may be told, and how.
@@ -63,6 +63,9 @@ struct ReportingSettings {
     /// Share of a zone's area that both visits must have seen, 0 to 1; below it nothing is told.
     /// Not measured: a zone of which less was seen is the model's guess.
     double min_seen_share = 0.1;
+    /// Skin whose weight stayed below this in every visit was seen by none, 0 to 1: less than half
+    /// of what a seen vertex keeps [J].
+    double least_seen_weight = 0.3;
     /// Share of a zone's area behind the expression model's rim, 0 to 1, above which there is no
     /// deviation: what expressions do there is not known. Not measured.
     double max_outside_share = 0.2;

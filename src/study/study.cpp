@@ -18,6 +18,17 @@ std::array<StudyValue*, 6> values_of(ZoneChange& change) {
             &change.absolute_ml, &change.area_mm2,  &change.mean_distance_mm};
 }
 
+/// 1 where every face tells a weight below the least.
+std::vector<std::uint8_t> seen_by_none(const std::vector<StudyFace>& faces, double least) {
+    std::vector<std::uint8_t> none(static_cast<std::size_t>(faces.front().mesh->vertices.rows()),
+                                   1);
+    for (const StudyFace& face : faces)
+        for (std::size_t v = 0; v < none.size(); ++v)
+            if (face.weights.size() == 0 || face.weights[static_cast<Index>(v)] >= least)
+                none[v] = 0;
+    return none;
+}
+
 }  // namespace
 
 Study::Study(const Context& context, std::shared_ptr<const ExpressionModel> model,
@@ -25,9 +36,11 @@ Study::Study(const Context& context, std::shared_ptr<const ExpressionModel> mode
     check_study_settings(settings);
     check_study_faces(faces);
     data_.zones = resolve_zones(settings.zones, faces.front().mesh->vertices, model != nullptr);
-    if (!settings.zones.walls && !data_.zones.measured.empty())
-        leave_walls_out(data_.zones.measured,
-                        find_walls(*faces.front().mesh, WallSettings(), context));
+    if (!settings.zones.unseen && !data_.zones.named.empty())
+        leave_out(data_.zones.named, find_walls(*faces.front().mesh, WallSettings(), context));
+    data_.zones.measured = data_.zones.named;
+    if (!settings.zones.unseen)
+        leave_out(data_.zones.measured, seen_by_none(faces, settings.reporting.least_seen_weight));
     data_.settings = std::move(settings);
     data_.faces = std::move(faces);
     data_.model = std::move(model);

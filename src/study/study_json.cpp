@@ -53,7 +53,7 @@ void write_recipe(JsonText& json, const Study& study) {
     json.field("expressions_removed", study.data().model != nullptr);
     json.field("treated", settings.zones.treated);
     json.field("margin_mm", settings.zones.margin_mm);
-    json.field("walls", settings.zones.walls);
+    json.field("unseen", settings.zones.unseen);
     json.field("stable", study.data().zones.stable_names);
     json.field("stable_is_untreated", study.data().zones.stable_is_untreated);
     json.field("noise_mm", settings.surface.noise_mm);
@@ -65,6 +65,7 @@ void write_recipe(JsonText& json, const Study& study) {
     json.field("untrained_share", settings.expression.untrained_share);
     json.field("level", settings.reporting.level);
     json.field("min_seen_share", settings.reporting.min_seen_share);
+    json.field("least_seen_weight", settings.reporting.least_seen_weight);
     json.field("max_outside_share", settings.reporting.max_outside_share);
     json.field("blanks", study.num_blanks());
     json.end_object();

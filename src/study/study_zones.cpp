@@ -74,11 +74,11 @@ Vertices with_margin(const PointsRef& face, const Vertices& vertices, double mar
     return near;
 }
 
-void leave_walls_out(std::vector<Zone>& zones, const std::vector<std::uint8_t>& walls) {
+void leave_out(std::vector<Zone>& zones, const std::vector<std::uint8_t>& left_out) {
     for (Zone& zone : zones) {
         Vertices open;
         std::copy_if(zone.vertices.begin(), zone.vertices.end(), std::back_inserter(open),
-                     [&](std::uint32_t v) { return walls[v] == 0; });
+                     [&](std::uint32_t v) { return left_out[v] == 0; });
         if (!open.empty()) zone.vertices = std::move(open);
     }
 }
@@ -87,17 +87,16 @@ StudyZones resolve_zones(const StudyZoneSettings& settings, const PointsRef& fac
                          bool expressions_taken_off) {
     check_zones(settings.zones, face.rows());
     StudyZones result;
-    result.measured = settings.zones;
+    result.named = settings.zones;
     result.treated = united(settings.zones, settings.treated);
     // A treatment does not end where its zone does: what lies beside it is no witness either.
     if (!result.treated.empty())
         result.treated = with_margin(face, result.treated, settings.margin_mm);
     if (settings.margin_mm > 0)
         for (const std::string& name : settings.treated)
-            result.measured.push_back(
-                {name + " and " + millimetres(settings.margin_mm) + " mm around",
-                 with_margin(face, zone_called(settings.zones, name).vertices,
-                             settings.margin_mm)});
+            result.named.push_back({name + " and " + millimetres(settings.margin_mm) + " mm around",
+                                    with_margin(face, zone_called(settings.zones, name).vertices,
+                                                settings.margin_mm)});
     if (!settings.stable.empty()) {
         result.stable_names = settings.stable;
     } else if (!settings.treated.empty() && expressions_taken_off) {

@@ -12,12 +12,13 @@ std::vector<std::uint32_t> with_margin(const PointsRef& face,
                                        const std::vector<std::uint32_t>& vertices,
                                        double margin_mm);
 
-/// Takes the walls out of each zone; a zone of nothing else stays as it is. walls: #V,
-/// find_walls().
-void leave_walls_out(std::vector<Zone>& zones, const std::vector<std::uint8_t>& walls);
+/// Takes the vertices that are marked out of each zone; a zone of nothing else stays as it is.
+/// left_out: #V, not 0 where marked.
+void leave_out(std::vector<Zone>& zones, const std::vector<std::uint8_t>& left_out);
 
 struct StudyZones {
-    std::vector<Zone> measured;             ///< the zones, then each treated one with its margin
+    std::vector<Zone> named;                ///< the zones, then each treated one with its margin
+    std::vector<Zone> measured;             ///< the same without skin that nobody saw
     std::vector<std::uint32_t> treated;     ///< with the margin
     std::vector<std::uint32_t> stable;      ///< to align on; empty: the whole face
     std::vector<std::string> stable_names;  ///< of the zones that stable is made of

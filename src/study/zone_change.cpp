@@ -57,7 +57,8 @@ class PairMeasure {
         const std::vector<char> inside =
             membership(data_.zones.measured[zone].vertices, before_.vertices.rows());
         ZoneChange change;
-        change.seen_share = seen_share(inside);
+        change.seen_share =
+            seen_share(membership(data_.zones.named[zone].vertices, before_.vertices.rows()));
         change.reason = reason_of(inside, change.seen_share);
         if (change.reason == WhyUnknown::unseen) return change;
         const ZoneVolume& volume = volume_.volume->zones[zone];

@@ -23,7 +23,7 @@ namespace Mien
             CommonBiasMm = raw.commonBiasMm;
             UntrainedShare = raw.untrainedShare;
             MinSeenShare = raw.minSeenShare;
-            MeasureWalls = raw.measureWalls;
+            MeasureUnseen = raw.measureUnseen;
         }
 
         /// <summary>zone_count zones to measure; null: those of the registrations' model</summary>
@@ -50,9 +50,9 @@ namespace Mien
         public double UntrainedShare { get; set; }
         /// <summary>of a zone's area that both visits must have seen, 0 to 1; default 0.1</summary>
         public double MinSeenShare { get; set; }
-        /// <summary>1: zones keep the walls that no scanner sees (sacs of nostrils, insides of lips and lids), which a fit guesses;
+        /// <summary>1: zones keep what no scan saw, which fits guess: walls in nostrils, lips and lids, skin unseen in every visit;
         /// default 0: left out of the zones</summary>
-        public int MeasureWalls { get; set; }
+        public int MeasureUnseen { get; set; }
 
         internal override void Fill(Call call, IntPtr at)
         {
@@ -65,7 +65,7 @@ namespace Mien
             raw->commonBiasMm = CommonBiasMm;
             raw->untrainedShare = UntrainedShare;
             raw->minSeenShare = MinSeenShare;
-            raw->measureWalls = MeasureWalls;
+            raw->measureUnseen = MeasureUnseen;
             raw->zones = call.Records(Zones, sizeof(Native.Zone));
             raw->zoneCount = (ulong)call.Rows(Zones, 1, "zones");
             raw->treatedZones = call.Texts(TreatedZones);

@@ -14,7 +14,7 @@ public final class StudyOptions implements Record_ {
     private double commonBiasMm;
     private double untrainedShare;
     private double minSeenShare;
-    private int measureWalls;
+    private int measureUnseen;
 
     /** With the library's defaults. */
     public StudyOptions() {
@@ -29,7 +29,7 @@ public final class StudyOptions implements Record_ {
             commonBiasMm = at.bytes.getDouble(offset + 104);
             untrainedShare = at.bytes.getDouble(offset + 112);
             minSeenShare = at.bytes.getDouble(offset + 120);
-            measureWalls = at.bytes.getInt(offset + 152);
+            measureUnseen = at.bytes.getInt(offset + 152);
         }
     }
 
@@ -117,14 +117,14 @@ public final class StudyOptions implements Record_ {
     public double minSeenShare() { return minSeenShare; }
 
     /**
-     * 1: zones keep the walls that no scanner sees (sacs of nostrils, insides of lips and lids), which a fit
-     * guesses; default 0: left out of the zones
+     * 1: zones keep what no scan saw, which fits guess: walls in nostrils, lips and lids, skin unseen in every
+     * visit; default 0: left out of the zones
      */
-    public StudyOptions measureWalls(int value) {
-        measureWalls = value;
+    public StudyOptions measureUnseen(int value) {
+        measureUnseen = value;
         return this;
     }
-    public int measureWalls() { return measureWalls; }
+    public int measureUnseen() { return measureUnseen; }
 
     @Override
     public void fill(Call call, Memory at, int offset) {
@@ -136,7 +136,7 @@ public final class StudyOptions implements Record_ {
         at.bytes.putDouble(offset + 104, commonBiasMm);
         at.bytes.putDouble(offset + 112, untrainedShare);
         at.bytes.putDouble(offset + 120, minSeenShare);
-        at.bytes.putInt(offset + 152, measureWalls);
+        at.bytes.putInt(offset + 152, measureUnseen);
         at.bytes.putLong(offset + 8, Memory.address(call.records(zones, 24)));
         at.bytes.putLong(offset + 16, call.rows(zones, 1, "zones"));
         at.bytes.putLong(offset + 24, Memory.address(call.texts(treatedZones)));

@@ -644,7 +644,7 @@ class StudyOptions(ctypes.Structure):
         ("progress", ProgressFn),
         ("progress_user", ctypes.c_void_p),
         ("cancel", ctypes.c_void_p),
-        ("measure_walls", ctypes.c_int32),
+        ("measure_unseen", ctypes.c_int32),
         ("reserved_end", ctypes.c_uint32),
     ]
 
@@ -1242,7 +1242,7 @@ STRUCTS = {
         ("progress", "callback", "mien_progress_fn", (), ""),
         ("progress_user", "user", "void", (), ""),
         ("cancel", "handle", "mien_cancel", (), ""),
-        ("measure_walls", "scalar", "int32_t", (), ""),
+        ("measure_unseen", "scalar", "int32_t", (), ""),
         ("reserved_end", "reserved", "uint32_t", (), ""),
     ),
     "mien_study_value": (

@@ -275,6 +275,7 @@ TEST(StudyErrors, UnseenSkinOfOneZoneMakesItsChangeLessUnsureThanItsPlace) {
     const Points face = study().neutral(3);
     StudyFace before = seen(face, 0.1, 1, 0), after = seen(face, 0.1, 2, 1);
     StudySettings settings = settings_with_zones();
+    settings.zones.unseen = true;
     const std::vector<std::uint32_t>& high = settings.zones.zones[1].vertices;
     for (std::size_t k = 0; k < high.size(); k += 2)
         for (StudyFace* one : {&before, &after}) {

@@ -28,7 +28,7 @@ void add_middle(Zone& zone, int plate, int rim) {
 }
 
 /// The second visit's fit guesses both walls 0.5 mm higher under unchanged skin.
-Study made(bool walls) {
+Study made(bool unseen) {
     const TriMesh before = test::pocket();
     TriMesh after = before;
     after.vertices.bottomRows(2 * kPlate).col(2).array() += 0.5;
@@ -42,7 +42,7 @@ Study made(bool walls) {
     }
     settings.zones.zones = {nose, sac};
     settings.zones.stable = {"nose"};
-    settings.zones.walls = walls;
+    settings.zones.unseen = unseen;
     return Study(Context(), nullptr, {fitted(before, 0), fitted(after, 1)}, settings);
 }
 
@@ -63,9 +63,39 @@ TEST(StudyWalls, AZoneOfWallsAloneStaysAndIsUnseen) {
     EXPECT_EQ(open.change(0, 1).zones[1].reason, WhyUnknown::unseen);
 }
 
+/// Skin under hair in both visits was guessed, and the guess was read as a change.
+TEST(StudyWalls, SkinThatNoVisitSawIsNoChangeAndCountsAsUnseen) {
+    const TriMesh before = test::pocket();
+    TriMesh after = before;
+    StudyFace first = fitted(before, 0), second = fitted(before, 1);
+    Zone skin{"skin", {}};
+    add_middle(skin, 0, 0);
+    for (Index v = 0; v < kPlate / 2; ++v) {
+        first.weights[v] = second.weights[v] = 0;
+        after.vertices(v, 2) += 1;
+    }
+    second.mesh = std::make_shared<TriMesh>(after);
+    StudySettings settings;
+    Zone held{"held", {}};  // far from the hair
+    for (Index v = 2 * kPlate / 3; v < kPlate; ++v)
+        held.vertices.push_back(static_cast<std::uint32_t>(v));
+    settings.zones.zones = {skin, held};
+    settings.zones.stable = {"held"};
+    const ZoneChange change =
+        Study(Context(), nullptr, {first, second}, settings).change(0, 1).zones[0];
+    EXPECT_NEAR(change.seen_share, 0.5, 0.05);
+    EXPECT_LT(change.absolute_ml.value, 0.05);
+    second.weights.setOnes();
+    EXPECT_GT(Study(Context(), nullptr, {first, second}, settings)
+                  .change(0, 1)
+                  .zones[0]
+                  .absolute_ml.value,
+              0.2);
+}
+
 TEST(StudyWalls, OpenSkinKeepsEveryVertex) {
     std::vector<Zone> zones{{"all", {0, 1, 2}}, {"walls", {3}}};
-    leave_walls_out(zones, {0, 0, 1, 1});
+    leave_out(zones, {0, 0, 1, 1});
     EXPECT_EQ(zones[0].vertices, (std::vector<std::uint32_t>{0, 1}));
     EXPECT_EQ(zones[1].vertices, (std::vector<std::uint32_t>{3}));
 }

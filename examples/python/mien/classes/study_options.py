@@ -44,6 +44,6 @@ class StudyOptions(_Options):
     untrained_share: float
     #: of a zone's area that both visits must have seen, 0 to 1; default 0.1
     min_seen_share: float
-    #: 1: zones keep the walls that no scanner sees (sacs of nostrils, insides of lips and lids), which a fit
-    #: guesses; default 0: left out of the zones
-    measure_walls: int
+    #: 1: zones keep what no scan saw, which fits guess: walls in nostrils, lips and lids, skin unseen in every
+    #: visit; default 0: left out of the zones
+    measure_unseen: int
