@@ -10,7 +10,7 @@ namespace mien {
 namespace {
 
 using Plane = SkinImage::Plane;
-constexpr std::size_t kRows = 16;  // of a chunk
+constexpr std::size_t kPictureRows = 16;  // of a chunk
 
 SkinImage empty_image(Index width, Index height, double pixel_mm) {
     SkinImage image;
@@ -103,7 +103,7 @@ SkinImage sample_skin(const SkinView& view, const Triangles& triangles, const Sk
             image.channel[k][pixel] = static_cast<float>(signal[static_cast<Index>(k)]);
         image.mask[pixel] = 1;
     };
-    parallel_for(context, static_cast<std::size_t>(view.height), kRows,
+    parallel_for(context, static_cast<std::size_t>(view.height), kPictureRows,
                  [&](std::size_t begin, std::size_t end) {
                      for (std::size_t y = begin; y < end; ++y) {
                          std::uint32_t hint = SurfaceHit::kNone;

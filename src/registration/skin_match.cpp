@@ -9,7 +9,7 @@
 namespace mien {
 namespace {
 
-constexpr float kNone = -2;  // below every correlation
+constexpr float kNoScore = -2;  // below every correlation
 
 // What is summed over a window: the product, and the energies of either picture where the other
 // one is seen.
@@ -87,7 +87,7 @@ class Correlator {
             seen += sums.seen[at];
         }
         if (!(static_cast<double>(seen) >= least_seen_) || !(first > 0) || !(second > 0))
-            return kNone;
+            return kNoScore;
         return std::clamp(product / std::sqrt(first * second), -1.f, 1.f);
     }
 
@@ -171,7 +171,7 @@ std::vector<SkinMatch> match_skin(const SkinImage& first, const SkinImage& secon
     const std::size_t side = static_cast<std::size_t>(2 * settings.reach + 1), moves = side * side,
                       count = sorted.size();
     context.require_memory(2 * moves * count * sizeof(float), "moves of the skin");
-    std::vector<float> by_move(moves * count, kNone), by_place(moves * count);
+    std::vector<float> by_move(moves * count, kNoScore), by_place(moves * count);
     const Correlator correlator(first, second, sorted, settings);
     parallel_for(context, moves, 1, [&](std::size_t move, std::size_t) {
         correlator.correlate(static_cast<Index>(move % side) - settings.reach,

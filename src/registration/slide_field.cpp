@@ -8,11 +8,11 @@
 namespace mien {
 namespace {
 
-constexpr std::size_t kChunk = 2048;
+constexpr std::size_t kSlideRows = 2048;  // of a chunk
 
 double sum_of_products(const Points& a, const Points& b, const Context& context) {
     return parallel_sum(
-        context, static_cast<std::size_t>(a.rows()), kChunk, 0.0,
+        context, static_cast<std::size_t>(a.rows()), kSlideRows, 0.0,
         [&](std::size_t begin, std::size_t end) {
             const Index first = static_cast<Index>(begin), count = static_cast<Index>(end - begin);
             return a.middleRows(first, count).cwiseProduct(b.middleRows(first, count)).sum();
@@ -38,7 +38,7 @@ void SlideField::solve(const std::vector<SlidePull>& pulls, const SlideFieldSett
     const std::size_t n = part_.size();
     // The equations times a field; with their diagonal, by which the steps are scaled.
     const auto apply = [&](const Points& x, Points& image) {
-        parallel_for(context, n, kChunk, [&](std::size_t begin, std::size_t end) {
+        parallel_for(context, n, kSlideRows, [&](std::size_t begin, std::size_t end) {
             for (std::size_t v = begin; v < end; ++v) {
                 const Index row = static_cast<Index>(v);
                 if (!part_[v]) {
