@@ -21,10 +21,8 @@ void write_heatmap(const std::string& path, const Registration& fit) {
     write_png(path, render_mesh(arrays_of(fit.mesh()), options));
 }
 
-/// Only what a good enough fit carries can be compared: a failed one is left as it is.
 Registration tied_to_reference(const Session& session, const Model& model, const Mesh& scan,
                                const RegisterArguments& arguments, const Registration& fit) {
-    if (fit.verdict().quality == MIEN_QUALITY_FAILED) return fit;
     const Registration reference(session, arguments.reference);
     const Mesh reference_scan(session, arguments.reference_scan);
     TieOptions options;
@@ -44,10 +42,19 @@ void run_register(const RegisterArguments& arguments) {
         landmarks = add_landmarks(session, model, arguments.landmarks, options);
     options.progress = progress_bar();
     Registration fit(session, model, scan, options);
-    if (!arguments.reference.empty()) fit = tied_to_reference(session, model, scan, arguments, fit);
+    // Only what a good enough fit carries can be compared.
+    const bool tie = !arguments.reference.empty();
+    const bool tied = tie && fit.verdict().quality != MIEN_QUALITY_FAILED;
+    if (tied) fit = tied_to_reference(session, model, scan, arguments, fit);
     fit.mesh().save(session, arguments.out);
     nlohmann::json report = fit_report(fit, !arguments.common.json_path.empty());
     report["out"] = arguments.out;
+    if (tie && !tied) {
+        report["reference"] = {{"tied", false}, {"why_not", "the fit failed"}};
+        if (arguments.fit.accept_failed)
+            std::fprintf(stderr, "mien: %s: the fit failed, so it is not tied to %s\n",
+                         arguments.scan.c_str(), arguments.reference.c_str());
+    }
     if (!landmarks.is_null()) report["landmark_file"] = landmarks;
     write_report(arguments.common, report);
     if (!arguments.record.empty()) fit.save(session, arguments.record);

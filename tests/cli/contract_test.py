@@ -202,6 +202,10 @@ class FailedFits(unittest.TestCase):
         self.assertEqual(json.loads((WORK / "ball.json").read_text())["quality"], "failed")
         self.assertTrue((WORK / "ball.ply").exists())
         self.assertIn("quality failed", must(*command, "--accept-failed"))
+        status, _, err = run(*command, "--accept-failed", "--reference", ball, "--reference-scan", ball)
+        self.assertEqual(status, 0, err)
+        self.assertIn("not tied", err)
+        self.assertFalse(json.loads((WORK / "ball.json").read_text())["reference"]["tied"])
 
     def test_the_expected_error_is_stated_of_the_face_and_its_zones(self):
         expected = json.loads((WORK / "register.json").read_text())["expected_error"]
