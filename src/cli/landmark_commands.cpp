@@ -48,7 +48,7 @@ std::string warn_of_unknown_landmarks(const Landmarks& matched, const std::strin
     const nlohmann::json& unknown = report["unknown"];
     // Of MediaPipe's 468 points most have no counterpart: that is no mistake of the file.
     if (unknown.empty() || report["scheme"] == "MediaPipe") return "";
-    const std::string text =
+    std::string text =
         std::to_string(unknown.size()) +
         " landmarks are unknown to the model and left out: " + joined(unknown, kNamed);
     std::fprintf(stderr, "mien: warning: %s: %s\n", path.c_str(), text.c_str());

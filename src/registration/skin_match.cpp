@@ -168,7 +168,7 @@ std::vector<SkinMatch> match_skin(const SkinImage& first, const SkinImage& secon
     std::vector<std::uint32_t> sorted = places;
     std::sort(sorted.begin(), sorted.end());
     sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
-    const std::size_t side = static_cast<std::size_t>(2 * settings.reach + 1), moves = side * side,
+    const std::size_t side = 2 * static_cast<std::size_t>(settings.reach) + 1, moves = side * side,
                       count = sorted.size();
     context.require_memory(2 * moves * count * sizeof(float), "moves of the skin");
     std::vector<float> by_move(moves * count, kNoScore), by_place(moves * count);
