@@ -17,6 +17,7 @@ Interval normal_interval(double value, double sd, double level);
 /// The minimal detectable change: what a measured change must reach to be told from none, as its
 /// interval of that level then leaves zero out. An unchanged subject exceeds it, in either
 /// direction, with probability 1 - level. z sd, in the unit of sd; not a number for such a sd.
+/// Throws Status::invalid_argument unless 0 < level < 1.
 double minimal_detectable_change(double sd, double level);
 
 }  // namespace mien

@@ -53,6 +53,7 @@ class Tie {
     std::vector<std::uint8_t> seen_twice() const;
     void find_measurable();
     void sample();
+    std::vector<SkinMatch> compare(std::size_t view, const TieRound& round) const;
     void measure(const TieRound& round, std::vector<Measurement>& found);
     void smooth(const TieRound& round, const std::vector<Measurement>& found);
     void judge(TextureTie& tie);
@@ -176,7 +177,8 @@ Eigen::Matrix2d trust_of(const Eigen::Matrix2d& precision, double sd_mm) {
            eigen.eigenvectors().transpose();
 }
 
-void Tie::measure(const TieRound& round, std::vector<Measurement>& found) {
+// Both pictures of a view at every vertex, the second seen through the slide.
+std::vector<SkinMatch> Tie::compare(std::size_t view, const TieRound& round) const {
     SkinDetailSettings detail = settings_.detail;
     detail.coarse_mm = round.coarse_mm;
     SkinMatchSettings match = settings_.match;
@@ -184,13 +186,17 @@ void Tie::measure(const TieRound& round, std::vector<Measurement>& found) {
     match.reach = round.reach;
     const std::size_t level = static_cast<std::size_t>(round.halvings);
     SkinImage::Plane across, up;
+    flow_of(views_[view], round.halvings, across, up);
+    const SkinImage first = detail_of(pairs_[view].first[level], detail);
+    const SkinImage second = detail_of(moved(pairs_[view].second[level], across, up), detail);
+    return match_skin(first, second, pixels_of(views_[view], mesh_.vertices, first), match,
+                      context_);
+}
+
+void Tie::measure(const TieRound& round, std::vector<Measurement>& found) {
     for (std::size_t k = 0; k < views_.size(); ++k) {
         const SkinView& view = views_[k];
-        flow_of(view, round.halvings, across, up);
-        const SkinImage first = detail_of(pairs_[k].first[level], detail);
-        const SkinImage second = detail_of(moved(pairs_[k].second[level], across, up), detail);
-        const std::vector<SkinMatch> matches =
-            match_skin(first, second, pixels_of(view, mesh_.vertices, first), match, context_);
+        const std::vector<SkinMatch> matches = compare(k, round);
         for (std::size_t i = 0; i < matches.size(); ++i) {
             const SkinMatch& one = matches[i];
             Measurement& here = found[view.vertices[i]];
@@ -199,7 +205,7 @@ void Tie::measure(const TieRound& round, std::vector<Measurement>& found) {
             here.to_view = view.axes.topRows<2>();
             const double agrees = fade((one.agreement - settings_.least_agreement) /
                                        (settings_.full_agreement - settings_.least_agreement));
-            const double alone = round.reach > 2 ? fade(one.lead / 0.15) : 1;
+            const double alone = round.reach > 2 ? fade(one.lead / settings_.full_lead) : 1;
             here.trust = agrees * alone * trust_of(one.precision, settings_.full_sd_mm);
             here.target = here.to_view * slide_.row(view.vertices[i]).transpose() + one.move_mm;
         }
@@ -245,24 +251,12 @@ void Tie::smooth(const TieRound& round, const std::vector<Measurement>& found) {
 void Tie::judge(TextureTie& tie) {
     const Index n = slide_.rows();
     tie.agreement = tie.share = tie.sd_mm = Vector::Zero(n);
-    TieRound last = settings_.rounds.back();
-    SkinDetailSettings detail = settings_.detail;
-    detail.coarse_mm = last.coarse_mm;
-    SkinMatchSettings match = settings_.match;
-    match.window_mm = last.window_mm;
-    match.reach = last.reach;
-    const std::size_t level = static_cast<std::size_t>(last.halvings);
-    SkinImage::Plane across, up;
     double open = 0, compared = 0, agreeing = 0;
     for (std::size_t v = 0; v < open_.size(); ++v)
         if (open_[v]) open += field_.area_mm2()[static_cast<Index>(v)];
     for (std::size_t k = 0; k < views_.size(); ++k) {
         const SkinView& view = views_[k];
-        flow_of(view, last.halvings, across, up);
-        const SkinImage first = detail_of(pairs_[k].first[level], detail);
-        const SkinImage second = detail_of(moved(pairs_[k].second[level], across, up), detail);
-        const std::vector<SkinMatch> matches =
-            match_skin(first, second, pixels_of(view, mesh_.vertices, first), match, context_);
+        const std::vector<SkinMatch> matches = compare(k, settings_.rounds.back());
         for (std::size_t i = 0; i < matches.size(); ++i) {
             const Index v = static_cast<Index>(view.vertices[i]);
             const SkinMatch& one = matches[i];
@@ -275,7 +269,9 @@ void Tie::judge(TextureTie& tie) {
             else
                 continue;
             const double off = one.move_mm.norm() / settings_.tied_off_mm;
-            tie.share[v] = fade((one.at_rest - settings_.tied_agreement) / 0.1) * fade(2 - 2 * off);
+            tie.share[v] =
+                fade((one.at_rest - settings_.tied_agreement) / settings_.full_tied_agreement) *
+                fade(2 - 2 * off);
             const double determinant = one.precision.determinant();
             if (determinant > 0) tie.sd_mm[v] = std::sqrt(one.precision.trace() / determinant / 2);
         }
@@ -328,7 +324,7 @@ Points Tie::carried() const {
         }
     Points filled = moves;
     SlideFieldSettings settings = settings_.field;
-    settings.smooth_mm = 0.5;
+    settings.smooth_mm = settings_.fill_mm;
     around.solve(pulls, settings, filled, context_);
     for (std::size_t v = 0; v < known.size(); ++v)
         if (!known[v]) moves.row(static_cast<Index>(v)) = filled.row(static_cast<Index>(v));
@@ -350,12 +346,14 @@ void Tie::place(TextureTie& tie) {
     if (facing < 0) scan.turn_over();
     Vector trust(places.rows());
     for (Index v = 0; v < trust.size(); ++v)
-        trust[v] = open_[static_cast<std::size_t>(v)] ? fade(moves.row(v).norm() / 0.1) : 0;
+        trust[v] = open_[static_cast<std::size_t>(v)]
+                       ? fade(moves.row(v).norm() / settings_.raised_slide_mm)
+                       : 0;
     Points raised = places;
     Context quiet = context_;
     quiet.progress_function = nullptr;
-    raise_field(scan, mesh_.triangles, rings_, trust, {}, settings_.sample.reach_mm / 3,
-                settings_.gap, raised, quiet);
+    raise_field(scan, mesh_.triangles, rings_, trust, {}, settings_.raise_mm, settings_.gap, raised,
+                quiet);
     for (Index v = 0; v < trust.size(); ++v)
         places.row(v) += trust[v] * (raised.row(v) - places.row(v));
     tie.undone = undo_turns(visit_.places, mesh_.triangles, rings_, settings_.gap, places);

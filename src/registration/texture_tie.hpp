@@ -49,13 +49,19 @@ struct TextureTieSettings {
     double near_border_mm = 3;  ///< mm, >= 0: from lids, lips and nostrils nothing is measured [J]
     double least_agreement = 0.3;  ///< 0 to 1: correlation below which a window says nothing [J]
     double full_agreement = 0.6;   ///< > least_agreement: from which it counts in full [J]
+    double full_lead = 0.15;       ///< > 0, correlation: a far search's best move that leads the
+                                   ///< second best by so much counts in full [J]
     double full_sd_mm = 0.2;       ///< mm, > 0: a measurement so sure counts half [J]
     double tied_agreement = 0.4;   ///< 0 to 1: correlation after the slide, from which a place
                                    ///< counts as tied [J]
+    double full_tied_agreement = 0.1;  ///< > 0, correlation: and so far above it, in full [J]
     double tied_off_mm = 0.5;      ///< mm, > 0: and so near must its best move be to the field [J]
     double least_share = 0.2;      ///< 0 to 1: of the skin seen twice that must agree, or nothing
                                    ///< moves [T]
     double least_compared = 0.05;  ///< 0 to 1: of the open skin that must be seen twice [J]
+    double fill_mm = 0.5;          ///< mm, > 0: over which walls and rims go with the skin [J]
+    double raised_slide_mm = 0.1;  ///< mm, > 0: what slid so far is put onto the scan in full [J]
+    double raise_mm = 0.5;         ///< mm, > 0: scan farther away raises nothing [J]
     double normal_trust = 0.05;    ///< > 0: how much the field is held in the surface [J]
     GapSettings gap;
 };

@@ -63,8 +63,8 @@ struct ReportingSettings {
     /// Share of a zone's area that both visits must have seen, 0 to 1; below it nothing is told.
     /// Not measured: a zone of which less was seen is the model's guess.
     double min_seen_share = 0.1;
-    /// Skin whose weight stayed below this in every visit was seen by none, 0 to 1: less than half
-    /// of what a seen vertex keeps [J].
+    /// Skin whose weight stayed below this in every visit was seen by none, 0 to 1. Judgement:
+    /// other values were not tried.
     double least_seen_weight = 0.3;
     /// Share of a zone's area behind the expression model's rim, 0 to 1, above which there is no
     /// deviation: what expressions do there is not known. Not measured.
