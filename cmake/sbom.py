@@ -35,7 +35,7 @@ COMPONENTS = {
     "zlib": ("Zlib", "https://zlib.net", r"/(zlib|zconf)\.h$", "zlib.h", r'ZLIB_VERSION "([\d.]+)"', ("z",)),
 }
 # The compiler's own runtime and the system: headers in their folders, libraries of these names.
-SYSTEM_HEADERS = r"^/usr/(lib/gcc|lib/llvm|include/c\+\+|include/(x86_64|aarch64|i386)-linux-gnu/(asm|bits|c\+\+|gnu|sys)|" \
+SYSTEM_HEADERS = r"^/usr/(share/mingw-w64/include|lib/gcc(-cross)?|lib/llvm|include/c\+\+|include/(x86_64|aarch64|i386)-linux-gnu/(asm|bits|c\+\+|gnu|sys)|" \
                  r"[^/]*mingw32|[^/]*-linux-gnu/include|lib/clang)/"
 SYSTEM_LIBRARIES = {"c", "m", "dl", "pthread", "stdc++", "gcc_s", "gcc", "rt", "ld-linux-x86-64", "ld-linux-aarch64", "KERNEL32", "msvcrt",
                     "USER32", "ADVAPI32", "bcrypt", "kernel32", "user32", "gdi32", "winspool", "shell32", "ole32", "oleaut32", "uuid",
