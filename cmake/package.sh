@@ -48,7 +48,7 @@ cmake --build "$work/$machine" -j "${MIEN_JOBS:-$(nproc)}" >>"$work/$machine.log
 # Names and lines for debuggers, which the archive's files are stripped of, and the link to them (gdb looks beside the file).
 debug=$work/$machine/debug
 rm -rf "$debug" && mkdir -p "$debug"
-for file in "$work/$machine"/bin/mien "$work/$machine"/bin/mien.exe "$work/$machine"/bin/mien-demo-data "$work/$machine"/bin/mien-demo-data.exe "$work/$machine"/bin/mien-0.dll "$work/$machine"/bin/libmien.so.*.*.* \
+for file in "$work/$machine"/bin/mien "$work/$machine"/bin/mien.exe "$work/$machine"/bin/mien-demo-data "$work/$machine"/bin/mien-demo-data.exe "$work/$machine"/abi/mien-0.dll \
     "$work/$machine"/abi/libmien.so.*.*.*; do
     [ -f "$file" ] || continue
     name=$(basename "$file")
