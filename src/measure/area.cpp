@@ -81,7 +81,7 @@ double surface_area_mm2(const PointsRef& vertices, const TrianglesRef& triangles
 std::vector<ZoneArea> zone_areas(const PointsRef& vertices, const TrianglesRef& triangles,
                                  const std::vector<Zone>& zones) {
     check_surface(vertices, triangles, "the mesh");
-    check_zones(zones, vertices.rows());
+    check_patches(zones, triangles, vertices.rows());
     const Vector areas = vertex_areas(vertices, triangles);
     std::vector<ZoneArea> result;
     for (const Zone& zone : zones) {

@@ -70,7 +70,7 @@ ScanVolumeReport measure_scan_volume(const TriMesh& before, const TriMesh& after
                                      const ScanVolumeOptions& options, const Context& context) {
     check_surface(before.vertices, before.triangles, "the before surface");
     check_surface(after.vertices, after.triangles, "the after surface");
-    check_zones(options.zones, before.vertices.rows());
+    check_patches(options.zones, before.triangles, before.vertices.rows());
     if (!(options.max_distance_mm > 0) || !options.direction.allFinite() ||
         (options.carry == Carry::direction && !(options.direction.norm() > 0)))
         fail(Status::invalid_argument,

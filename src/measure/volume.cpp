@@ -120,7 +120,7 @@ VolumeReport measure_volume(const PointsRef& before, const PointsRef& after,
                             const Context& context) {
     context.progress(Stage::measuring, 0.0);
     const VertexVolumes shares = volume_per_vertex(before, after, triangles, context);
-    check_zones(zones, before.rows());
+    check_patches(zones, triangles, before.rows());
     const Vector area_before = vertex_areas(before, triangles);
     const Vector area_after = vertex_areas(after, triangles);
     auto measure_set = [&](const std::string& name, const std::vector<std::uint32_t>& vertices) {

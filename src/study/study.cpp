@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "measure/distance.hpp"
+#include "measure/pair_check.hpp"
 #include "measure/repeatability.hpp"
 #include "model/template_walls.hpp"
 
@@ -35,6 +36,8 @@ Study::Study(const Context& context, std::shared_ptr<const ExpressionModel> mode
              std::vector<StudyFace> faces, StudySettings settings) {
     check_study_settings(settings);
     check_study_faces(faces);
+    check_patches(settings.zones.zones, faces.front().mesh->triangles,
+                  faces.front().mesh->vertices.rows());
     data_.zones = resolve_zones(settings.zones, faces.front().mesh->vertices, model != nullptr);
     if (!settings.zones.unseen && !data_.zones.named.empty())
         leave_out(data_.zones.named, find_walls(*faces.front().mesh, WallSettings(), context));
