@@ -31,11 +31,21 @@ void warn_of_unit(const Session& session, const NamedFace& face);
 std::vector<std::string> warn_of_frames(const Session& session, const NamedFace& before,
                                         const NamedFace& after, bool aligned);
 
+/// What two visits have in common.
+struct VisitPair {
+    double stable_rms_mm = 0;  ///< between their stable zones, once these lie on each other
+    double size_ratio = 1;     ///< of the later face to the first
+};
+
+/// How much larger the second face is, by the root mean square distance of the vertices that count
+/// (one byte each, 1) from their centre; 1 where fewer than a hundred do. O(#V).
+double size_ratio(const Mesh& first, const Mesh& second, const std::vector<char>& counts);
+
 /// What is wrong with two visits that a report compares. Throws std::runtime_error for other units
 /// and for mirror images, whose volumes would be read as changes; returns warnings, which were
-/// printed, for one face twice and for stable zones that stay apart as those of two persons do
-/// (stable_rms_mm, after their alignment).
+/// printed, for one face twice, for stable zones that stay apart as those of two persons do, and
+/// for faces of two sizes, which volumes would tell as swelling or loss all over.
 std::vector<std::string> check_visits(const Session& session, const NamedFace& first,
-                                      const NamedFace& later, double stable_rms_mm);
+                                      const NamedFace& later, const VisitPair& pair);
 
 }  // namespace mien::cli

@@ -74,19 +74,35 @@ std::vector<std::int32_t> shown_zones(const Study& study, const ReportSettings& 
     return shown;
 }
 
-/// The vertices of the treated zones, as far as they are known: records name their zones alone.
-std::vector<std::vector<std::uint32_t>> treated_vertices(const ReportSettings& settings,
-                                                         const StudyOptions& options,
-                                                         const Model* model) {
+/// The zones' vertices, as far as they are known: records name their zones alone.
+std::vector<std::vector<std::uint32_t>> zones_called(const std::vector<std::string>& names,
+                                                     const StudyOptions& options,
+                                                     const Model* model) {
     std::vector<std::vector<std::uint32_t>> found;
     std::vector<ModelZone> zones;
     for (const MeasureZone& zone : options.zones) zones.push_back({zone.name, zone.vertices});
     if (zones.empty() && model != nullptr) zones = Zones::of(*model).all();
     for (const ModelZone& zone : zones)
-        if (std::find(settings.treated.begin(), settings.treated.end(), zone.name) !=
-            settings.treated.end())
+        if (std::find(names.begin(), names.end(), zone.name) != names.end())
             found.push_back(zone.vertices);
     return found;
+}
+
+/// 1 for skin that the first visit and another saw and that neither an expression nor a treatment
+/// makes larger: the zones that faces are aligned on by default or by name, without treated ones.
+std::vector<char> skin_of_one_size(const Study& study, std::int32_t visit,
+                                   const std::vector<std::vector<std::uint32_t>>& stable,
+                                   const std::vector<std::vector<std::uint32_t>>& treated) {
+    constexpr double kSeen = 0.5;  // of a weight in [0, 1]
+    const std::vector<double> before = study.field(0, MIEN_STUDY_FIELD_WEIGHT),
+                              after = study.field(visit, MIEN_STUDY_FIELD_WEIGHT);
+    std::vector<char> counts(before.size());
+    for (const std::vector<std::uint32_t>& zone : stable)
+        for (const std::uint32_t v : zone)
+            counts[v] = before[v] >= kSeen && after[v] >= kSeen ? 1 : 0;
+    for (const std::vector<std::uint32_t>& zone : treated)
+        for (const std::uint32_t v : zone) counts[v] = 0;
+    return counts;
 }
 
 Measured measure(const Session& session, const ReportSettings& settings) {
@@ -124,17 +140,24 @@ Measured measure(const Session& session, const ReportSettings& settings) {
     warn_of_unit(session, {first, result.visits[0].name});
     for (std::size_t k = 1; k < result.visits.size(); ++k) check_same_unit(first, mesh_of(k));
     result.study = std::make_unique<Study>(session, registrations, expressions.get(), options);
+    result.treated = zones_called(settings.treated, options, model.get());
+    const auto stable = zones_called(
+        options.stable.empty() ? std::vector<std::string>{"forehead", "nose"} : options.stable,
+        options, model.get());
     for (std::size_t k = 0; k < result.visits.size(); ++k) {
         result.warnings.push_back(result.fits[result.first_of[k]].warnings);
         if (k == 0) continue;
-        for (std::string& warning : check_visits(
-                 session, {first, result.visits[0].name}, {mesh_of(k), result.visits[k].name},
-                 result.study->alignment(0, static_cast<std::int32_t>(k)).rms_mm))
+        const auto visit = static_cast<std::int32_t>(k);
+        const VisitPair pair{
+            result.study->alignment(0, visit).rms_mm,
+            size_ratio(first, mesh_of(k),
+                       skin_of_one_size(*result.study, visit, stable, result.treated))};
+        for (std::string& warning : check_visits(session, {first, result.visits[0].name},
+                                                 {mesh_of(k), result.visits[k].name}, pair))
             result.warnings.back().push_back(std::move(warning));
     }
     if (result.study->zone_count() == 0)
         throw CLI::RequiredError("--zones (the fits know of no zone)");
-    result.treated = treated_vertices(settings, options, model.get());
     // Every treated zone stands a second time at the end, unless it has no margin.
     const std::size_t around = options.c.margin_mm > 0 ? settings.treated.size() : 0;
     result.zones = shown_zones(*result.study, settings,

@@ -194,6 +194,24 @@ class FacesThatDoNotBelongTogether(unittest.TestCase):
                 self.assertIn(text, err)
         self.assertEqual(self.report(**{"2026_01_01": FACE, "2026_03_01": WORK / "turned.ply"}), (0, ""))
 
+    def test_a_visit_of_another_size_is_told(self):
+        for factor, told in (("0.97", "3.0 % smaller"), ("1.03", "3.0 % larger"), ("0.995", None)):
+            with self.subTest(factor=factor):
+                run("mesh", "scale", FACE, WORK / "sized.ply", "--factor", factor)
+                status, err = self.report(**{"2026_01_01": FACE, "2026_03_01": WORK / "sized.ply"})
+                self.assertEqual(status, 0, err)
+                self.assertEqual(err.count("calibrated?"), 1 if told else 0, err)
+                self.assertIn(told or "", err)
+
+    def test_zones_of_another_template_are_refused(self):
+        zones = json.loads((WORK / "demo/zones.json").read_text())
+        count = 1 + max(v for zone in zones["zones"].values() for v in zone)
+        zones["zones"] = {name: [(v * 5077) % count for v in zone] for name, zone in zones["zones"].items()}
+        (WORK / "other_zones.json").write_text(json.dumps(zones))
+        status, _, err = run("measure", "volume", "--before", FACE, "--after", WORK / "turned.ply", "--zones", WORK / "other_zones.json")
+        self.assertEqual(status, 1)
+        self.assertIn("is scattered over the face", err)
+
     def test_visits_without_dates_are_told_in_the_order_taken(self):
         status, err = self.report(before=FACE, after=WORK / "turned.ply")
         self.assertEqual(status, 0, err)
