@@ -160,9 +160,13 @@ class FoldMaker {
                             smooth_.variance_mm2, smooth_.most_modes);
         fold.model =
             coordinate_model(identity, values.cwiseSqrt(), smooth, basis_, deviations, fold.modes);
+        // Fewer people are left to follow; the question is what all of them are worth.
+        PriorOptions options = options_;
+        options.min_followers = options_.min_followers * static_cast<Index>(kept.size()) /
+                                static_cast<Index>(column_of_.size());
         fold.model.components =
             expression_components(coordinates, expression, source_.expression_names, deviations,
-                                  identities, values.cwiseSqrt(), options_);
+                                  identities, values.cwiseSqrt(), options);
         fold.model.intensities = intensities_for(expression, options_);
         return center;
     }
@@ -258,15 +262,37 @@ NoiseLevels estimate_noise(const Context& context, const ColumnSource& source,
     return levels;
 }
 
+FollowChoice choose_following(const Context& context, const ColumnSource& source,
+                              const JointSpan& span, const Matrix& expression_basis,
+                              const Matrix& expression_coordinates, Index identity_modes,
+                              const PriorOptions& options) {
+    const auto with = [&](Index directions) {
+        PriorOptions own = options;
+        own.identity_directions = directions;
+        return FollowChoice{directions,
+                            estimate_noise(context, source, span, expression_basis,
+                                           expression_coordinates, identity_modes, own, {})};
+    };
+    std::map<int, Index> faces;
+    bool some_follow = false;
+    for (const int expression : source.displacement_expression)
+        some_follow = some_follow || ++faces[expression] >= options.min_followers;
+    if (options.identity_directions == 0 || !some_follow) return with(options.identity_directions);
+    FollowChoice follows = with(options.identity_directions);
+    if (source.num_neutrals() < kMostFolds) return follows;
+    FollowChoice stays = with(0);
+    const bool better = follows.noise.mixture_error_mm <
+                        (1.0 - options.least_follow_gain) * stays.noise.mixture_error_mm;
+    return better ? follows : stays;
+}
+
 SmoothChoice choose_smooth_prior(const Context& context, const ColumnSource& source,
                                  const JointSpan& span, const Matrix& expression_basis,
                                  const Matrix& expression_coordinates, Index identity_modes,
                                  const PriorOptions& options, const SmoothIdentityOptions& smooth,
-                                 const Matrix& gram) {
+                                 const Matrix& gram, const NoiseLevels& without) {
     SmoothChoice choice;
-    choice.people = choice.noise =
-        estimate_noise(context, source, span, expression_basis, expression_coordinates,
-                       identity_modes, options, {});
+    choice.noise = without;
     if (source.num_neutrals() < kMostFolds || smooth.modes < 1) return choice;
     std::vector<SmoothChoice> all;
     double least = std::numeric_limits<double>::infinity();
@@ -277,7 +303,7 @@ SmoothChoice choose_smooth_prior(const Context& context, const ColumnSource& sou
         own.noise = variance > 0.0
                         ? estimate_noise(context, source, span, expression_basis,
                                          expression_coordinates, identity_modes, options, own.prior)
-                        : choice.people;
+                        : without;
         least = std::min(least, own.noise.mixture_error_mm);
         choice.tried.push_back({variance, own.noise.mixture_error_mm});
         all.push_back(std::move(own));

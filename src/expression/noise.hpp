@@ -42,20 +42,33 @@ NoiseLevels estimate_noise(const Context& context, const ColumnSource& source,
                            const Matrix& expression_coordinates, Index identity_modes,
                            const PriorOptions& options, const SmoothPrior& smooth);
 
+/// Whether the means of expressions follow the person (prior.hpp).
+struct FollowChoice {
+    Index directions = 0;  ///< of the identity; 0: they stay
+    NoiseLevels noise;     ///< without a smooth prior
+};
+
+/// The directions of `options` where they lessen the error of people left out by
+/// least_follow_gain, else none. Arguments
+/// as estimate_noise().
+FollowChoice choose_following(const Context& context, const ColumnSource& source,
+                              const JointSpan& span, const Matrix& expression_basis,
+                              const Matrix& expression_coordinates, Index identity_modes,
+                              const PriorOptions& options);
+
 struct SmoothChoice {
     SmoothPrior prior;
     NoiseLevels noise;                   ///< with it
-    NoiseLevels people;                  ///< without any
     std::vector<TriedSmoothness> tried;  ///< empty where nobody can be left out
 };
 
 /// The smallest of the variances whose error of people left out is within `least_gain` of the
-/// least; none where fewer than 4 people leave nobody to be left out. Arguments as
-/// estimate_noise().
+/// least; none where fewer than 4 people leave nobody to be left out. `without`: the noise with no
+/// smooth prior; other arguments as estimate_noise().
 SmoothChoice choose_smooth_prior(const Context& context, const ColumnSource& source,
                                  const JointSpan& span, const Matrix& expression_basis,
                                  const Matrix& expression_coordinates, Index identity_modes,
                                  const PriorOptions& options, const SmoothIdentityOptions& smooth,
-                                 const Matrix& gram);
+                                 const Matrix& gram, const NoiseLevels& without);
 
 }  // namespace mien

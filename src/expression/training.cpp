@@ -129,10 +129,10 @@ struct Coordinates {
     Matrix expression;  ///< q x s, of the displacements
 };
 
-/// What is known of coordinates; with quasi-orthogonal modes also how they spill into each other.
-void put_priors(const ColumnSource& source, const JointSpan& span, const JointPca& subspaces,
-                const Coordinates& coordinates, const TrainOptions& options,
-                ExpressionModel& model) {
+/// How far coordinates go; with quasi-orthogonal modes also how they spill into each other.
+void put_deviations(const ColumnSource& source, const JointSpan& span, const JointPca& subspaces,
+                    const Coordinates& coordinates, const TrainOptions& options,
+                    ExpressionModel& model) {
     const double m = static_cast<double>(source.num_neutrals());
     const double s = static_cast<double>(source.num_displacements());
     model.identity_deviations = root_mean_square_rows(coordinates.identity, std::max(1.0, m - 1.0));
@@ -141,30 +141,44 @@ void put_priors(const ColumnSource& source, const JointSpan& span, const JointPc
         model.spill = learn_spill(
             coordinates.identity, subspaces.expression.transpose() * span.neutrals,
             subspaces.identity.transpose() * span.displacements, coordinates.expression);
-    model.components = expression_components(coordinates.expression, source.displacement_expression,
-                                             source.expression_names, model.expression_deviations,
-                                             identities_of_faces(source, coordinates.identity),
-                                             model.identity_deviations, options.prior);
-    model.intensities = intensities_for(source.displacement_expression, options.prior);
     model.expression_names = source.expression_names;
     model.stable_vertices = source.stable_vertices;
 }
 
-/// The noise of both fits, given or by leaving people out, and with it what people may differ by
-/// beyond the training's.
-SmoothChoice put_noise(const Context& context, const ColumnSource& source, const JointSpan& span,
-                       const Matrix& smooth, const JointPca& subspaces,
-                       const Coordinates& coordinates, const TrainOptions& options,
-                       ExpressionModel& model) {
-    SmoothChoice choice;
+void put_components(const ColumnSource& source, const Coordinates& coordinates,
+                    const PriorOptions& prior, ExpressionModel& model) {
+    model.components = expression_components(coordinates.expression, source.displacement_expression,
+                                             source.expression_names, model.expression_deviations,
+                                             identities_of_faces(source, coordinates.identity),
+                                             model.identity_deviations, prior);
+    model.intensities = intensities_for(source.displacement_expression, prior);
+}
+
+/// What leaving people out decides.
+struct HeldOut {
+    FollowChoice follow;
+    SmoothChoice smooth;
+};
+
+/// The expressions' components and the noise of both fits, given or by leaving people out, and with
+/// it what people may differ by beyond the training's.
+HeldOut put_priors(const Context& context, const ColumnSource& source, const JointSpan& span,
+                   const Matrix& smooth, const JointPca& subspaces, const Coordinates& coordinates,
+                   const TrainOptions& options, ExpressionModel& model) {
+    HeldOut choice;
+    PriorOptions prior = options.prior;
     if (options.map_noise_mm2 <= 0.0 || options.mixture_noise_mm2 <= 0.0) {
         Matrix basis = subspaces.expression;
         if (!model.spill.empty()) basis += subspaces.identity * model.spill.expression;
-        choice = choose_smooth_prior(context, source, span, basis, coordinates.expression,
-                                     options.subspaces.identity_modes, options.prior,
-                                     options.smooth, smooth);
+        choice.follow = choose_following(context, source, span, basis, coordinates.expression,
+                                         options.subspaces.identity_modes, prior);
+        prior.identity_directions = choice.follow.directions;
+        choice.smooth = choose_smooth_prior(context, source, span, basis, coordinates.expression,
+                                            options.subspaces.identity_modes, prior, options.smooth,
+                                            smooth, choice.follow.noise);
     }
-    const NoiseLevels& noise = choice.noise;
+    put_components(source, coordinates, prior, model);
+    const NoiseLevels& noise = choice.smooth.noise;
     model.map_noise_mm2 = options.map_noise_mm2 > 0.0 ? options.map_noise_mm2 : noise.map_mm2;
     model.mixture_noise_mm2 =
         options.mixture_noise_mm2 > 0.0 ? options.mixture_noise_mm2 : noise.mixture_mm2;
@@ -247,19 +261,20 @@ std::shared_ptr<const ExpressionModel> train_expression_model(const ColumnSource
     put_modes(context, source, span, subspaces, *model);
     const Coordinates coordinates{subspaces.identity.transpose() * span.neutrals,
                                   subspaces.expression.transpose() * span.displacements};
-    put_priors(source, span, subspaces, coordinates, options, *model);
-    SmoothChoice noise =
-        put_noise(context, source, span, smooth, subspaces, coordinates, options, *model);
+    put_deviations(source, span, subspaces, coordinates, options, *model);
+    HeldOut held_out =
+        put_priors(context, source, span, smooth, subspaces, coordinates, options, *model);
+    SmoothChoice& noise = held_out.smooth;
     put_smooth_modes(context, span, subspaces, noise.prior, *model);
     model->info =
         training_info(source, subspaces, options.subspaces.method == TrainMethod::quasi_orthogonal);
     finish_expression_model(*model);
     if (model->smooth_modes > 0)
-        put_people(
-            *model,
-            {options.map_noise_mm2 > 0.0 ? options.map_noise_mm2 : noise.people.map_mm2,
-             options.mixture_noise_mm2 > 0.0 ? options.mixture_noise_mm2 : noise.people.mixture_mm2,
-             noise.people.residual_mm});
+        put_people(*model, {options.map_noise_mm2 > 0.0 ? options.map_noise_mm2
+                                                        : held_out.follow.noise.map_mm2,
+                            options.mixture_noise_mm2 > 0.0 ? options.mixture_noise_mm2
+                                                            : held_out.follow.noise.mixture_mm2,
+                            held_out.follow.noise.residual_mm});
     if (report != nullptr)
         fill_report(source, span, subspaces, coordinates.identity, coordinates.expression,
                     noise.noise, *report);

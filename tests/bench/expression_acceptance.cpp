@@ -1,15 +1,15 @@
 // What neutralization is held to, by one command:
 //
-//   expression_acceptance TRAIN TEST [--modes N] [--every K] [--threads N]
+//   expression_acceptance TRAIN TEST [--modes N] [--directions N] [--every K] [--threads N]
 //
 // TRAIN and TEST are data sets of make_faces20.py of different people (an entry "neutral" and other
-// expressions); N modes of each kind, 0: found by hold-out (default); every K-th test person (1).
-// Prints, in mm, mean distance of corresponding vertices before and after: all expressions, the
-// neutral faces, the worst expression; the same with fewer training people; two expressions at
-// once; a quarter of an expression; each of a few expressions held out of the training, and how
-// many of those faces come with a warning; a neutral face fitted together with a quarter of an
-// expression. Data sets of a wider --jitter or with --posture are given as TRAIN and TEST
-// themselves.
+// expressions); N modes of each kind, 0: found by hold-out (default); N directions of the person
+// that an expression's mean follows; every K-th test person (1). Prints, in mm, mean distance of
+// corresponding vertices before and after: all expressions, the neutral faces, the worst
+// expression; the same with fewer training people; two expressions at once; a quarter of an
+// expression; each of a few expressions held out of the training, and how many of those faces come
+// with a warning; a neutral face fitted together with a quarter of an expression. Data sets of a
+// wider --jitter or with --posture are given as TRAIN and TEST themselves.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -30,7 +30,7 @@ using namespace mien;
 namespace {
 
 struct Options {
-    Index modes = 0, every = 1;
+    Index modes = 0, every = 1, directions = PriorOptions().identity_directions;
     int threads = 2;
 };
 
@@ -201,6 +201,7 @@ Options read_options(int argc, char** argv) {
     Options options;
     for (int k = 3; k + 1 < argc; k += 2) {
         if (!std::strcmp(argv[k], "--modes")) options.modes = std::atoi(argv[k + 1]);
+        if (!std::strcmp(argv[k], "--directions")) options.directions = std::atoi(argv[k + 1]);
         if (!std::strcmp(argv[k], "--every")) options.every = std::max(1, std::atoi(argv[k + 1]));
         if (!std::strcmp(argv[k], "--threads")) options.threads = std::atoi(argv[k + 1]);
     }
@@ -216,6 +217,7 @@ void run(const Context& context, const Options& given, const char* train_path,
     const Acceptance acceptance(context, faces);
     TrainOptions options;
     options.subspaces.identity_modes = options.subspaces.expression_modes = given.modes;
+    options.prior.identity_directions = given.directions;
     TrainReport report;
     const auto model = train_expression_model(train, options, context, &report);
     for (const TriedModes& pair : report.tried_modes)
@@ -261,7 +263,9 @@ void run(const Context& context, const Options& given, const char* train_path,
 
 int main(int argc, char** argv) try {
     if (argc < 3)
-        return std::puts("expression_acceptance TRAIN TEST [--modes N] [--every K] [--threads N]"),
+        return std::puts(
+                   "expression_acceptance TRAIN TEST [--modes N] [--directions N] [--every K] "
+                   "[--threads N]"),
                2;
     const Options options = read_options(argc, argv);
     ThreadPool pool(options.threads);

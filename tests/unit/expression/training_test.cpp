@@ -74,13 +74,17 @@ double growing_error(const ExpressionModel& model, const Study& study) {
     return error / 20;
 }
 
-TEST(Training, AnExpressionsMeanFollowsThePerson) {
-    const Study study;
+std::shared_ptr<const FaceDataset> growing_people(const Study& study, const char* name) {
     FaceDatasetWriter writer(study.triangles, study.rest.rows(), study.names);
     for (int subject = 0; subject < 40; ++subject)
         for (int expression = 0; expression < 5; ++expression)
             writer.add(growing_face(study, subject, expression), subject, expression);
-    const auto data = Study::written(writer, "growing");
+    return Study::written(writer, name);
+}
+
+TEST(Training, AnExpressionsMeanFollowsThePerson) {
+    const Study study;
+    const auto data = growing_people(study, "growing");
     TrainOptions options = small_options();
     options.prior.min_followers = 20;
     const auto follows = train_expression_model(data, options, Context());
@@ -92,6 +96,20 @@ TEST(Training, AnExpressionsMeanFollowsThePerson) {
     EXPECT_EQ(train_expression_model(data, options, Context())->components[1].follows.size(), 0)
         << "40 people do not determine it";
     EXPECT_LT(growing_error(*follows, study), 0.8 * growing_error(*rigid, study));
+}
+
+TEST(Training, AnExpressionThatIsTheSameForAllFollowsNobody) {
+    const Study study;
+    FaceDatasetWriter writer(study.triangles, study.rest.rows(), study.names);
+    for (int subject = 0; subject < 40; ++subject)
+        for (int expression = 0; expression < 5; ++expression)
+            writer.add(study.neutral(subject) + study.face(0, expression) - study.neutral(0),
+                       subject, expression);
+    TrainOptions options = small_options();
+    options.prior.min_followers = 20;
+    const auto model =
+        train_expression_model(Study::written(writer, "constant"), options, Context());
+    EXPECT_EQ(model->components[1].follows.size(), 0) << "people left out are no better for it";
 }
 
 TEST(Training, AWeakExpressionIsTakenOffToo) {
@@ -125,8 +143,7 @@ TEST(Training, WhatFollowsThePersonSurvivesTheFile) {
     const Study study;
     TrainOptions options = small_options();
     options.prior.min_followers = 10;
-    const auto model =
-        train_expression_model(study.dataset(0, study.subjects, "follows"), options, Context());
+    const auto model = train_expression_model(growing_people(study, "follows"), options, Context());
     ASSERT_EQ(model->components[1].follows.cols(), 10);
     const std::string path = Study::path("follows_model");
     save_expression_model(path, *model, Context());
