@@ -5,6 +5,9 @@
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include "base/error.hpp"
 #include "base/file.hpp"
@@ -27,6 +30,16 @@ void write_text(const std::filesystem::path& path, const std::string& text) {
     AtomicFile file(path.u8string());
     file.write(text);
     file.commit();
+}
+
+/// Every step frees and takes the same hundreds of megabytes. Given back to the system each time,
+/// clearing their pages anew took half of a step's processor time.
+void keep_freed_memory() {
+#ifdef __GLIBC__
+    mallopt(M_MMAP_MAX, 0);
+    mallopt(M_TRIM_THRESHOLD, 1 << 30);
+    mallopt(M_TOP_PAD, 256 << 20);
+#endif
 }
 
 /// 0, or 3 when it was stopped.
@@ -68,6 +81,7 @@ int main(int argc, char** argv) {
     std::uint64_t seed = 1;
     mien::Index vertices = 0;
     int status = 0;
+    keep_freed_memory();
     app.add_option("configuration", configuration, "JSON: an experiment, or a table of them");
     app.add_option("--set", overrides, "section.key=value in the place of what the files say");
     CLI::App* split = app.add_subcommand("split", "people into training, validation and test");
