@@ -104,7 +104,9 @@ MIEN_API void MIEN_CALL mien_measure_options_init(mien_measure_options* options,
 /**
  * The volume between two faces in correspondence: signed, positive, negative and absolute, whole
  * and per zone, exact where the faces cross inside a triangle pair. A zone's edge runs linearly
- * through the ring of triangles it shares; disjoint zones and the rest add up to the whole.
+ * through the ring of triangles it shares; disjoint zones and the rest add up to the whole. A zone
+ * of twenty vertices or more of which most lie in no triangle of it is one of another template:
+ * MIEN_E_MISMATCH.
  *
  * @param session [in] not null.
  * @param before  [in] not null; #V x 3, mm, with triangles counter-clockwise seen from outside.
@@ -198,6 +200,7 @@ MIEN_API mien_status MIEN_CALL mien_measure_closed_volume(mien_session* session,
 
 /**
  * The area of a surface, or of a zone of it (a triangle's area is shared by its three vertices).
+ * Zones are patches, as those of mien_measure_volume().
  *
  * @param session  [in] not null.
  * @param mesh     [in] not null; with triangles.

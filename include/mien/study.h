@@ -134,6 +134,7 @@ MIEN_API void MIEN_CALL mien_study_options_init(mien_study_options* options, siz
  * @param registration_count [in] 1 to 200.
  * @param expressions        [in] may be null: faces are measured as they are held.
  * @param options            [in] may be null: defaults, with the zones of the registrations' model.
+ *                           Zones are patches, as those of mien_measure_volume().
  * @param out                [out] not null; the study, or null on failure.
  * @param error              [out] may be null.
  * @errors MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH

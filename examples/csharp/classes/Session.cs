@@ -116,7 +116,8 @@ namespace Mien
 
         /// <summary>The volume between two faces in correspondence: signed, positive, negative and absolute, whole and per zone,
         /// exact where the faces cross inside a triangle pair. A zone's edge runs linearly through the ring of triangles it
-        /// shares; disjoint zones and the rest add up to the whole.</summary>
+        /// shares; disjoint zones and the rest add up to the whole. A zone of twenty vertices or more of which most lie in
+        /// no triangle of it is one of another template: MIEN_E_MISMATCH.</summary>
         /// <param name="before">#V x 3, mm, with triangles counter-clockwise seen from outside.</param>
         /// <param name="after">same vertex count, in the frame of before; its triangles are not read.</param>
         /// <param name="options">may be left out: the whole face, no uncertainty.</param>
@@ -140,7 +141,8 @@ namespace Mien
 
         /// <summary>The volume between two faces in correspondence: signed, positive, negative and absolute, whole and per zone,
         /// exact where the faces cross inside a triangle pair. A zone's edge runs linearly through the ring of triangles it
-        /// shares; disjoint zones and the rest add up to the whole.</summary>
+        /// shares; disjoint zones and the rest add up to the whole. A zone of twenty vertices or more of which most lie in
+        /// no triangle of it is one of another template: MIEN_E_MISMATCH.</summary>
         /// <param name="before">#V x 3, mm, with triangles counter-clockwise seen from outside.</param>
         /// <param name="after">same vertex count, in the frame of before; its triangles are not read.</param>
         /// <param name="options">may be left out: the whole face, no uncertainty.</param>
@@ -241,7 +243,8 @@ namespace Mien
             }
         }
 
-        /// <summary>The area of a surface, or of a zone of it (a triangle's area is shared by its three vertices).</summary>
+        /// <summary>The area of a surface, or of a zone of it (a triangle's area is shared by its three vertices). Zones are
+        /// patches, as those of mien_measure_volume().</summary>
         /// <param name="mesh">with triangles.</param>
         /// <param name="zone">may be left out: the whole surface.</param>
         /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH (zone), MIEN_E_NO_MEMORY</exception>

@@ -28,7 +28,8 @@ namespace Mien
         /// how surely it is known.</summary>
         /// <param name="registrations">registration_count fits of one model, first visit first.</param>
         /// <param name="expressions">may be left out: faces are measured as they are held.</param>
-        /// <param name="options">may be left out: defaults, with the zones of the registrations' model.</param>
+        /// <param name="options">may be left out: defaults, with the zones of the registrations' model. Zones are patches, as those of
+        /// mien_measure_volume().</param>
         /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH (topology, zones),
         /// MIEN_E_NOT_FOUND (a zone's name), MIEN_E_NO_SOLUTION, MIEN_E_UNSUPPORTED_OPTION, MIEN_E_NO_MEMORY,
         /// MIEN_E_CANCELLED</exception>
@@ -55,7 +56,8 @@ namespace Mien
         /// how surely it is known.</summary>
         /// <param name="registrations">registration_count fits of one model, first visit first.</param>
         /// <param name="expressions">may be left out: faces are measured as they are held.</param>
-        /// <param name="options">may be left out: defaults, with the zones of the registrations' model.</param>
+        /// <param name="options">may be left out: defaults, with the zones of the registrations' model. Zones are patches, as those of
+        /// mien_measure_volume().</param>
         /// <exception cref="MienException">MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH (topology, zones),
         /// MIEN_E_NOT_FOUND (a zone's name), MIEN_E_NO_SOLUTION, MIEN_E_UNSUPPORTED_OPTION, MIEN_E_NO_MEMORY,
         /// MIEN_E_CANCELLED</exception>

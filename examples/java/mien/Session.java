@@ -123,7 +123,8 @@ public final class Session extends NativeObject {
     /**
      * The volume between two faces in correspondence: signed, positive, negative and absolute, whole and per
      * zone, exact where the faces cross inside a triangle pair. A zone's edge runs linearly through the ring of
-     * triangles it shares; disjoint zones and the rest add up to the whole. C: mien_measure_volume().
+     * triangles it shares; disjoint zones and the rest add up to the whole. A zone of twenty vertices or more of
+     * which most lie in no triangle of it is one of another template: MIEN_E_MISMATCH. C: mien_measure_volume().
      * @param before #V x 3, mm, with triangles counter-clockwise seen from outside.
      * @param after same vertex count, in the frame of before; its triangles are not read.
      * @param options may be left out: the whole face, no uncertainty.
@@ -149,7 +150,8 @@ public final class Session extends NativeObject {
     /**
      * The volume between two faces in correspondence: signed, positive, negative and absolute, whole and per
      * zone, exact where the faces cross inside a triangle pair. A zone's edge runs linearly through the ring of
-     * triangles it shares; disjoint zones and the rest add up to the whole. All else as by default.
+     * triangles it shares; disjoint zones and the rest add up to the whole. A zone of twenty vertices or more of
+     * which most lie in no triangle of it is one of another template: MIEN_E_MISMATCH. All else as by default.
      */
     public Measurement measureVolume(Mesh before, Mesh after) {
         return measureVolume(before, after, null, null, null);
@@ -158,7 +160,8 @@ public final class Session extends NativeObject {
     /**
      * The volume between two faces in correspondence: signed, positive, negative and absolute, whole and per
      * zone, exact where the faces cross inside a triangle pair. A zone's edge runs linearly through the ring of
-     * triangles it shares; disjoint zones and the rest add up to the whole. All else as by default.
+     * triangles it shares; disjoint zones and the rest add up to the whole. A zone of twenty vertices or more of
+     * which most lie in no triangle of it is one of another template: MIEN_E_MISMATCH. All else as by default.
      */
     public Measurement measureVolume(Mesh before, Mesh after, MeasureOptions options) {
         return measureVolume(before, after, options, null, null);
@@ -259,8 +262,8 @@ public final class Session extends NativeObject {
     }
 
     /**
-     * The area of a surface, or of a zone of it (a triangle's area is shared by its three vertices). C:
-     * mien_measure_area().
+     * The area of a surface, or of a zone of it (a triangle's area is shared by its three vertices). Zones are
+     * patches, as those of mien_measure_volume(). C: mien_measure_area().
      * @param mesh with triangles.
      * @param zone may be left out: the whole surface.
      * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH
@@ -279,8 +282,8 @@ public final class Session extends NativeObject {
     }
 
     /**
-     * The area of a surface, or of a zone of it (a triangle's area is shared by its three vertices). All else as
-     * by default.
+     * The area of a surface, or of a zone of it (a triangle's area is shared by its three vertices). Zones are
+     * patches, as those of mien_measure_volume(). All else as by default.
      */
     public double measureArea(Mesh mesh) {
         return measureArea(mesh, null);

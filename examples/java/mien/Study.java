@@ -20,7 +20,8 @@ public final class Study extends NativeObject {
      * neutral face and how surely it is known. C: mien_study_create().
      * @param registrations registration_count fits of one model, first visit first.
      * @param expressions may be left out: faces are measured as they are held.
-     * @param options may be left out: defaults, with the zones of the registrations' model.
+     * @param options may be left out: defaults, with the zones of the registrations' model. Zones are patches, as
+     * those of mien_measure_volume().
      * @param progress may be null; returns false to cancel
      * @param cancel may be null; interrupting the thread cancels as well
      * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH

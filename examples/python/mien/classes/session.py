@@ -56,7 +56,8 @@ class Session(_Object):
     def measure_volume(self, before: Mesh, after: Mesh, options: MeasureOptions | None = None, progress: Progress | None = None, cancel: Cancel | None = None) -> Measurement:
         """The volume between two faces in correspondence: signed, positive, negative and absolute, whole and per zone,
         exact where the faces cross inside a triangle pair. A zone's edge runs linearly through the ring of
-        triangles it shares; disjoint zones and the rest add up to the whole.
+        triangles it shares; disjoint zones and the rest add up to the whole. A zone of twenty vertices or more of
+        which most lie in no triangle of it is one of another template: MIEN_E_MISMATCH.
         before: #V x 3, mm, with triangles counter-clockwise seen from outside.
         after: same vertex count, in the frame of before; its triangles are not read.
         options: may be left out: the whole face, no uncertainty.
@@ -103,7 +104,8 @@ class Session(_Object):
         return _run("mien_measure_closed_volume", {"mesh": mesh, "close_rims": close_rims, "session": self})[0]
 
     def measure_area(self, mesh: Mesh, zone: Zone | None = None) -> float:
-        """The area of a surface, or of a zone of it (a triangle's area is shared by its three vertices).
+        """The area of a surface, or of a zone of it (a triangle's area is shared by its three vertices). Zones are
+        patches, as those of mien_measure_volume().
         mesh: with triangles.
         zone: may be left out: the whole surface.
         Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH (zone),

@@ -33,7 +33,8 @@ class Study(_Object):
         face and how surely it is known.
         registrations: registration_count fits of one model, first visit first.
         expressions: may be left out: faces are measured as they are held.
-        options: may be left out: defaults, with the zones of the registrations' model.
+        options: may be left out: defaults, with the zones of the registrations' model. Zones are patches, as
+        those of mien_measure_volume().
         Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_INVALID_MESH, MIEN_E_MISMATCH
         (topology, zones), MIEN_E_NOT_FOUND (a zone's name), MIEN_E_NO_SOLUTION, MIEN_E_UNSUPPORTED_OPTION,
         MIEN_E_NO_MEMORY, MIEN_E_CANCELLED.
