@@ -47,8 +47,8 @@ struct Measured {
     std::vector<std::vector<std::uint32_t>> treated;  ///< vertices of the treated zones
     std::vector<std::int32_t> zones;                  ///< of the study, in the order of the tables
     nlohmann::json told;                              ///< by the study
-    std::vector<std::vector<std::string>> warnings;   ///< of each visit: its fit, then itself
-                                                      ///< against the first
+    std::vector<std::vector<std::string>> warnings;   ///< of each visit's fit
+    std::vector<std::vector<std::string>> doubts;     ///< of each visit against the first
     const nlohmann::json& recipe() const { return told["recipe"]; }
     /// Why a zone's change has no interval; empty: it has one.
     std::string unknown(std::size_t visit, std::int32_t zone) const {
@@ -90,18 +90,22 @@ std::vector<std::vector<std::uint32_t>> zones_called(const std::vector<std::stri
 
 /// 1 for skin that the first visit and another saw and that neither an expression nor a treatment
 /// makes larger: the zones that faces are aligned on by default or by name, without treated ones.
-std::vector<char> skin_of_one_size(const Study& study, std::int32_t visit,
+std::vector<char> skin_of_one_size(const Study& study, std::int32_t visit, std::size_t num_vertices,
                                    const std::vector<std::vector<std::uint32_t>>& stable,
                                    const std::vector<std::vector<std::uint32_t>>& treated) {
     constexpr double kSeen = 0.5;  // of a weight in [0, 1]
-    const std::vector<double> before = study.field(0, MIEN_STUDY_FIELD_WEIGHT),
-                              after = study.field(visit, MIEN_STUDY_FIELD_WEIGHT);
-    std::vector<char> counts(before.size());
+    const std::vector<double> before = field_or_none(study, 0, MIEN_STUDY_FIELD_WEIGHT),
+                              after = field_or_none(study, visit, MIEN_STUDY_FIELD_WEIGHT);
+    const auto seen = [&](const std::vector<double>& weights, std::uint32_t v) {
+        return weights.empty() || weights[v] >= kSeen;
+    };
+    std::vector<char> counts(num_vertices);
     for (const std::vector<std::uint32_t>& zone : stable)
         for (const std::uint32_t v : zone)
-            counts[v] = before[v] >= kSeen && after[v] >= kSeen ? 1 : 0;
+            if (v < num_vertices) counts[v] = seen(before, v) && seen(after, v) ? 1 : 0;
     for (const std::vector<std::uint32_t>& zone : treated)
-        for (const std::uint32_t v : zone) counts[v] = 0;
+        for (const std::uint32_t v : zone)
+            if (v < num_vertices) counts[v] = 0;
     return counts;
 }
 
@@ -146,15 +150,15 @@ Measured measure(const Session& session, const ReportSettings& settings) {
         options, model.get());
     for (std::size_t k = 0; k < result.visits.size(); ++k) {
         result.warnings.push_back(result.fits[result.first_of[k]].warnings);
+        result.doubts.emplace_back();
         if (k == 0) continue;
         const auto visit = static_cast<std::int32_t>(k);
-        const VisitPair pair{
-            result.study->alignment(0, visit).rms_mm,
-            size_ratio(first, mesh_of(k),
-                       skin_of_one_size(*result.study, visit, stable, result.treated))};
-        for (std::string& warning : check_visits(session, {first, result.visits[0].name},
-                                                 {mesh_of(k), result.visits[k].name}, pair))
-            result.warnings.back().push_back(std::move(warning));
+        const VisitPair pair{result.study->alignment(0, visit).rms_mm,
+                             size_ratio(first, mesh_of(k),
+                                        skin_of_one_size(*result.study, visit, first.vertex_count(),
+                                                         stable, result.treated))};
+        result.doubts.back() = check_visits(session, {first, result.visits[0].name},
+                                            {mesh_of(k), result.visits[k].name}, pair);
     }
     if (result.study->zone_count() == 0)
         throw CLI::RequiredError("--zones (the fits know of no zone)");
@@ -300,6 +304,8 @@ ReportVisit visit_page(const Session& session, const Words& words, const Measure
     visit.good = fit.good();
     visit.reasons = fit.reasons();
     visit.reasons.insert(visit.reasons.end(), m.warnings[k].begin(), m.warnings[k].end());
+    visit.reasons.insert(visit.reasons.end(), m.doubts[k].begin(), m.doubts[k].end());
+    visit.doubts = m.doubts[k];
     const double unit_mm = fit.report.is_object() ? fit.report.value("unit_to_mm", 1.0) : 1.0;
     if (unit_mm != 1)
         visit.reasons.push_back(words("unit_taken", {words.number(short_number(unit_mm))}));
@@ -344,8 +350,9 @@ nlohmann::json describe(const Session& session, const Measured& m, ReportPage& p
                              {"captures", m.visits[k].captures.size()},
                              {"registration", fits[k]->report},
                              {"warnings", nlohmann::json::array()}};
-        for (const std::string& warning : m.warnings[k])
-            entry["warnings"].push_back(valid_utf8(warning));
+        for (const auto* list : {&m.warnings[k], &m.doubts[k]})
+            for (const std::string& warning : *list)
+                entry["warnings"].push_back(valid_utf8(warning));
         if (m.recipe()["expressions_removed"]) entry["expression"] = m.study->expression(number);
         if (k > 0) {
             entry["alignment_rms_mm"] = m.study->alignment(0, number).rms_mm;

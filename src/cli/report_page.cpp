@@ -91,6 +91,10 @@ std::string volume_table(const ReportPage& page) {
     return html + "</tbody></table></div>";
 }
 
+std::string doubt(const ReportVisit& visit, const std::string& text) {
+    return "<p class=\"bad\"><strong>" + html_text(visit.name + ": " + text) + "</strong></p>";
+}
+
 /// The last visit in a few lines: what changed for sure, and of what nothing is known.
 std::string summary(const ReportPage& page) {
     const ReportVisit& last = page.visits.back();
@@ -109,6 +113,9 @@ std::string summary(const ReportPage& page) {
             unknown += (unknown.empty() ? "" : ", ") + name;
     }
     std::string html = "<h2>" + words("summary") + "</h2>";
+    // What makes all of the numbers doubtful stands before them.
+    if (!last.good) html += doubt(last, last.verdict);
+    for (const std::string& reason : last.doubts) html += doubt(last, words.sentence(reason));
     if (!changed.empty())
         html += "<ul>" + changed + "</ul>";
     else if (unknown.empty())

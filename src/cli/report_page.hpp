@@ -29,6 +29,7 @@ struct ReportVisit {
     std::string verdict;  ///< of the registration and alignment, in words
     bool good = true;
     std::vector<std::string> reasons;  ///< of the verdict, and what else to know of the fit
+    std::vector<std::string> doubts;   ///< whether it can be compared with the first visit at all
     ReportFields fields;
     Image scan, face;                   ///< at one scale; scan: empty when it was not given
     Image change;                       ///< against the first visit; empty for the first

@@ -52,7 +52,8 @@ Position middle_of(const MeshArrays& mesh) {
     return least;
 }
 
-/// A field of the study, or nothing where the study knows of none.
+}  // namespace
+
 std::vector<double> field_or_none(const Study& study, std::int32_t visit, std::int32_t field) {
     try {
         return study.field(visit, field);
@@ -61,8 +62,6 @@ std::vector<double> field_or_none(const Study& study, std::int32_t visit, std::i
         throw;
     }
 }
-
-}  // namespace
 
 std::vector<std::array<std::uint32_t, 2>> zone_rims(
     const std::vector<Triangle>& triangles, const std::vector<std::vector<std::uint32_t>>& zones) {

@@ -13,6 +13,9 @@
 
 namespace mien::cli {
 
+/// A field of the study, or nothing where the study knows of none.
+std::vector<double> field_or_none(const Study& study, std::int32_t visit, std::int32_t field);
+
 /// Edges around the triangles whose corners all lie in one of the zones.
 std::vector<std::array<std::uint32_t, 2>> zone_rims(
     const std::vector<Triangle>& triangles, const std::vector<std::vector<std::uint32_t>>& zones);

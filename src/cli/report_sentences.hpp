@@ -281,25 +281,21 @@ inline constexpr ReportText kSentences[] = {
       "les zones stables de {0} sont à {1} mm de celles de {2} après alignement : est-ce la même "
       "personne, et rien n'y a-t-il changé ?"}},
     {"the face of * is * % larger than that of * by its stable zones: is it the same person, "
-     "and "
-     "are both scans in one unit and calibrated?",
+     "and are both scans in one unit and calibrated?",
      {"the face of {0} is {1} % larger than that of {2} by its stable zones: is it the same "
       "person, and are both scans in one unit and calibrated?",
       "das Gesicht von {0} ist {1} % größer als das von {2}, nach seinen stabilen Zonen: ist es "
       "dieselbe Person, und sind beide Scans in einer Einheit und kalibriert?",
-      "le visage de {0} est de {1} % plus grand que celui de {2}, peau traitée non comptée : "
-      "est-ce "
-      "la même personne, et les deux scans sont-ils dans une même unité et calibrés ?"}},
+      "le visage de {0} est de {1} % plus grand que celui de {2} par ses zones stables : "
+      "est-ce la même personne, et les deux scans sont-ils dans une même unité et calibrés ?"}},
     {"the face of * is * % smaller than that of * by its stable zones: is it the same person, "
      "and are both scans in one unit and calibrated?",
      {"the face of {0} is {1} % smaller than that of {2} by its stable zones: is it the same "
       "person, and are both scans in one unit and calibrated?",
-      "das Gesicht von {0} ist {1} % kleiner als das von {2}, behandelte Haut nicht gezählt: ist "
-      "es "
-      "dieselbe Person, und sind beide Scans in einer Einheit und kalibriert?",
-      "le visage de {0} est de {1} % plus petit que celui de {2}, peau traitée non comptée : "
-      "est-ce "
-      "la même personne, et les deux scans sont-ils dans une même unité et calibrés ?"}},
+      "das Gesicht von {0} ist {1} % kleiner als das von {2}, nach seinen stabilen Zonen: ist "
+      "es dieselbe Person, und sind beide Scans in einer Einheit und kalibriert?",
+      "le visage de {0} est de {1} % plus petit que celui de {2} par ses zones stables : "
+      "est-ce la même personne, et les deux scans sont-ils dans une même unité et calibrés ?"}},
     {"* landmarks are unknown to the model and left out: *",
      {"{0} landmarks are unknown to the model and left out: {1}",
       "{0} Landmarken kennt das Modell nicht, sie wurden ausgelassen: {1}",

@@ -114,6 +114,16 @@ class Records(unittest.TestCase):
         for zone in self.told("fits", "--fitted", "--zones", self.base / "demo/zones.json"):
             self.assertEqual(zone, by_name[zone["name"]])
 
+    def test_walls_and_skin_that_nobody_saw_are_measured_when_asked(self):
+        def mouth(*more):
+            self.told("kept", "--fitted", *more)
+            study = json.loads((self.base / "kept.json").read_text())["study"]
+            zone = next(z for z in study["visits"][1]["changes_since_first"] if z["name"] == "mouth")
+            return study["recipe"]["unseen"], zone["area_before_mm2"]
+        (left_out, open_skin), (kept, all_of_it) = mouth(), mouth("--unseen")
+        self.assertEqual((left_out, kept), (False, True))
+        self.assertGreater(all_of_it, 1.01 * open_skin)
+
     def test_a_mesh_beside_its_record_is_not_a_second_capture(self):
         both = self.base / "both"
         both.mkdir(exist_ok=True)
@@ -230,6 +240,18 @@ class Report(unittest.TestCase):
     def test_the_page_tells_of_visits_that_are_one_face(self):
         for language, said in (("en", "2026-02: is the same face as 2026-01"), ("de", "2026-02: ist dasselbe Gesicht wie 2026-01")):
             self.assertIn(said, self.page_of("--language", language))
+
+    def test_what_makes_all_numbers_doubtful_stands_before_them(self):
+        sized = work / "sized"
+        shutil.rmtree(sized, ignore_errors=True)
+        sized.mkdir()
+        first = sorted(self.visits.glob("*/face.ply"))[0]
+        shutil.copy(first, sized / "2026-01-01.ply")
+        run("mesh", "scale", first, sized / "2026-03-01.ply", "--factor", "0.97")
+        self.told("--sd", "0.08", visits=sized)
+        page = (work / "report.html").read_text("utf-8")
+        self.assertIn("2026-03-01: the face of 2026-03-01 is 3.0 % smaller", page)
+        self.assertLess(page.index("3.0 % smaller"), page.index("<li>"))
 
     def test_a_grin_moves_the_mouth_and_not_the_forehead(self):
         mouth, forehead = self.report()[2]["zones"]
