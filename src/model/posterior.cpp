@@ -65,11 +65,11 @@ SeenModel look_at(const DeformationModel& model,
     for (Index i = 0; i < h; ++i) {
         const LandmarkObservation& o = observations[static_cast<std::size_t>(i)];
         const Index v = static_cast<Index>(o.vertex);
-        seen.basis.row(i) = basis.row(v).cast<double>() / o.noise_mm;
+        if (r > 0) seen.basis.row(i) = basis.row(v).cast<double>() / o.noise_mm;
         seen.displacement.row(i) = o.displacement_mm.transpose() / o.noise_mm;
         if (model.mean_displacement.rows() != 0)
             seen.displacement.row(i) -= model.mean_displacement.row(v) / o.noise_mm;
-        for (int c = 0; c < 3; ++c)
+        for (int c = 0; p > 0 && c < 3; ++c)  // a model without vector modes has no row of them
             seen.modes[c].row(i) = modes.row(3 * v + c).cast<double>() / o.noise_mm;
     }
     seen.covariance = Matrix::Identity(h, h) + seen.basis * seen.basis.transpose();
