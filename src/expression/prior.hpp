@@ -24,7 +24,7 @@ namespace mien {
 /// "What an expression may differ by").
 struct PriorOptions {
     double floor_share = 1e-4;       ///< of the modes' variance, added to every covariance
-    double pooled_samples = 0.1;     ///< pseudo-samples of the pooled covariance
+    double pooled_samples = 0.5;     ///< pseudo-samples of the pooled covariance
     double neutral_share = 5e-4;     ///< variance of the neutral component, same unit
     Index min_samples = 3;           ///< expressions with fewer faces get no component of their own
     Index identity_directions = 40;  ///< of the person that an expression's mean follows, at most;
