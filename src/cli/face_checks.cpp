@@ -17,12 +17,11 @@ constexpr double kLeastExtent_mm = 40, kMostExtent_mm = 3000;
 /// Two faces may lie so far apart (root mean square, mm) before their frames are asked for.
 constexpr double kOneFrame_mm = 2;
 /// Stable zones of one person's fits stay within this (root mean square, mm) once they are aligned;
-/// those of 15 pairs of simulated people lay 1.1 to 1.7 mm apart, one person's, expressions
-/// and injections among them (445 pairs of visits), at most 0.13.
+/// those of 15 pairs of simulated people lay 1.1 to 1.7 mm apart, one person's, expressions and
+/// injections among them (445 pairs of visits), at most 0.13.
 constexpr double kOnePerson_mm = 0.5;
-/// One person's visits differ in size by less than this share; forehead and
-/// nose of 14 people scanned again, neutral or smiling, differed by at most 1.1 %, those of
-/// others by 3.6 % (median).
+/// One person's visits differ in size by less than this share; forehead and nose of 14 people
+/// scanned again, neutral or smiling, differed by at most 1.1 %, those of others by 3.6 % (median).
 constexpr double kOneSize = 0.015;
 /// Vertices that a size is told from; [4, inf).
 constexpr std::size_t kFewestForSize = 100;

@@ -49,8 +49,7 @@ struct FollowChoice {
 };
 
 /// The directions of `options` where they lessen the error of people left out by
-/// least_follow_gain, else none. Arguments
-/// as estimate_noise().
+/// least_follow_gain, else none. Costs two estimate_noise(), whose arguments these are.
 FollowChoice choose_following(const Context& context, const ColumnSource& source,
                               const JointSpan& span, const Matrix& expression_basis,
                               const Matrix& expression_coordinates, Index identity_modes,
