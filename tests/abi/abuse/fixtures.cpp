@@ -231,8 +231,15 @@ std::vector<std::uint64_t> Fixtures::structure(const StructRow& row, std::size_t
             std::uint64_t{triangles_.size() / 3});
         static const std::vector<std::uint8_t> colors(3 * kVertices, 150);
         put(bytes, offsetof(mien_mesh_arrays, colors), colors.data());
+#if defined(MIEN_IMAGES)
         static const std::uint8_t pixels[12] = {};
         static const mien_image image{"skin.png", pixels, 0, 2, 2, nullptr, 0};
+#else  // no encoder: pixels could not be saved, bytes of a file are carried
+        static const std::uint8_t png[] = {
+            0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n', 0, 0, 0, 13, 'I',  'H',  'D',  'R', 0,
+            0,    0,   2,   0,   0,    0,    2,    8,    2, 0, 0, 0,  0xfd, 0xd4, 0x9a, 0x73};
+        static const mien_image image{"skin.png", nullptr, 0, 0, 0, png, sizeof png};
+#endif
         static const mien_material material{"skin", 0, 0, 1, 1, 1};
         put(bytes, offsetof(mien_mesh_arrays, images), &image);
         put(bytes, offsetof(mien_mesh_arrays, image_count), std::uint64_t{1});
