@@ -1,7 +1,9 @@
-// Processor seconds of a registration by stage, told by its calls of progress.
+// Processor and wall seconds of a registration by stage, told by its calls of progress.
 #pragma once
 
 #include <sys/resource.h>
+
+#include <chrono>
 
 #include "base/context.hpp"
 
@@ -14,6 +16,11 @@ inline double cpu_seconds() {
            1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
 }
 
+inline double wall_seconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
+
 /// Listens to one call; `finish()` ends its last stage.
 struct StageClock {
     static constexpr int kStages = 5;
@@ -21,6 +28,7 @@ struct StageClock {
                                                     "closing the gap",
                                                     "repair, confidence, verdict"};
     double seconds[kStages] = {}, begin = cpu_seconds(), last = begin;
+    double wall[kStages] = {}, wall_begin = wall_seconds(), wall_last = wall_begin;
     int now = 0;
 
     void listen_to(Context& context) {
@@ -32,12 +40,15 @@ struct StageClock {
         enter(kStages - 1);
         return last - begin;
     }
+    double finished_wall() const { return wall_last - wall_begin; }
 
   private:
     void enter(int stage) {
-        const double time = cpu_seconds();
+        const double time = cpu_seconds(), wall_time = wall_seconds();
         seconds[now] += time - last;
+        wall[now] += wall_time - wall_last;
         last = time;
+        wall_last = wall_time;
         now = stage;
     }
     static std::int32_t listen(void* clock, std::int32_t stage, double fraction) {
