@@ -76,6 +76,7 @@ FitStepOptions step_options(const FitFreedom& freedom, const SolverSettings& sol
     step.pca_modes = state.coefficients.pca.size();
     step.kernel_ridge = 1 / (state.kernel_amplitude * state.kernel_amplitude);
     step.pca_ridge = 1 / (freedom.pca_amplitude * freedom.pca_amplitude);
+    if (state.kernel_mean.rows() > 0) step.kernel_mean = &state.kernel_mean;
     step.move = freedom.move;
     step.scale = freedom.scale;
     step.solver = solver;

@@ -20,6 +20,8 @@ struct Pin {
 struct FitState {
     Similarity motion;  ///< model frame -> scan frame
     FitCoefficients coefficients;
+    Eigen::MatrixXf kernel_mean;  ///< r x 3: kernel coefficients that the prior expects (an open
+                                  ///< jaw); empty: zeros
     double kernel_amplitude = 1;  ///< factor on the kernel's standard deviation
     Points displacement;          ///< #V x 3, model frame; empty before the first fit
     Points places;                ///< #V x 3, scan frame; empty before the first fit

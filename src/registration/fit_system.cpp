@@ -52,6 +52,14 @@ void FitSystem::project(VectorF& out) {
     project_vectors(out);
 }
 
+void FitSystem::add_expected(VectorF& out) const {
+    if (options_.kernel_mean == nullptr) return;
+    const Index r = layout_.r;
+    for (int axis = 0; axis < 3; ++axis)
+        out.segment(axis * r, r).array() += kernel_ridge_.segment(axis * r, r).array() *
+                                            options_.kernel_mean->col(axis).head(r).array();
+}
+
 void FitSystem::apply(const VectorF& theta, VectorF& out) {
     const Index r = layout_.r, kernel = 3 * r, p = layout_.p;
     expand_vectors(theta);

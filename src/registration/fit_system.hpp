@@ -42,6 +42,7 @@ class FitSystem {
     void load_pull() { field_ = terms_.pull; }
 
     void project(VectorF& out);                      ///< out = B' field
+    void add_expected(VectorF& out) const;           ///< out += ridge times the prior's mean
     void apply(const VectorF& theta, VectorF& out);  ///< out = A theta
     void precondition(const VectorF& in, VectorF& out) const;
 

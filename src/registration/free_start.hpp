@@ -2,10 +2,7 @@
 // and a jaw that is tried at several openings.
 #pragma once
 
-#include <array>
-
-#include "registration/fit_loop.hpp"
-#include "registration/jaw.hpp"
+#include "registration/jaw_search.hpp"
 
 namespace mien {
 
@@ -21,31 +18,10 @@ struct ApproachSettings {
     Index stride = 5;          ///< >= 1: one vertex in so many [J]
 };
 
-/// Jaws tried after it. [A] as a whole.
-struct OpeningSettings {
-    bool enabled = true;
-    /// deg: an opening of zero starts again without the approach's own idea of the mouth. [J]
-    std::array<double, 4> openings_deg{0, 10, 20, 30};
-    double amplitude = 2;      ///< > 0: of the kernel, as a jaw moves by centimetres [J]
-    double clearly = 0.01;     ///< >= 0: by how much an opening must agree better [J]
-    double sigma_mm = 4;       ///< mm, > 0: noise level of the first round [J]
-    int rounds = 12;           ///< >= 1 [J]
-    double tangential = 0.05;  ///< 0 to 1 [J]
-    Index scalar_modes = 80;   ///< >= 0 [J]
-    // Agreement with the scan: mean over the open skin near the nose's tip of
-    // exp(-d^2 / 2 s^2) cos^4 of the normals. Unlike a residual it counts what has found no scan.
-    double scale_mm = 2;       ///< s, mm, > 0 [J]
-    double radius_mm = 100;    ///< mm, > 0: about the tip [J]
-    double reach = 4;          ///< > 0, scales [J]
-    double color_share = 0.1;  ///< >= 0: of the colours' mean agreement, added [J]
-    JawSettings jaw;
-    PinFitSettings pins;
-};
-
 /// `state` needs a motion and coefficients at full size; fills coefficients, motion and places, and
-/// raises the kernel's amplitude (unless the host gave one) where an open jaw has won. Openings are
-/// tried for models without trained modes, which know open mouths. `fit`: the settings of the fit
-/// that follows, from which those of the approach are derived.
+/// where an open jaw has won the coefficients that the prior expects. Openings are tried for models
+/// without trained modes, which know open mouths. `fit`: the settings of the fit that follows, from
+/// which those of the approach are derived.
 void start_freely(const FitProblem& problem, const PriorState& prior, const LoopSettings& fit,
                   const ApproachSettings& approach, const OpeningSettings& openings,
                   FitState& state, const Context& context);

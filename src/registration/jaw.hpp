@@ -11,10 +11,9 @@ namespace mien {
 
 /// How the jaw turns as a whole. Tags in brackets: registration/settings.hpp.
 struct JawSettings {
-    double axis_back = 0.12;  ///< of the width between jaw_00 and jaw_16: how far the axis of the
-                              ///< turn lies behind them. The condyles slide forward while they
-                              ///< turn, so as a whole it is a turn about a line behind the jaw's
-                              ///< angles [J]
+    double axis_back = 0;  ///< of the width between jaw_00 and jaw_16: how far the axis of the turn
+                           ///< lies behind them, at the height of the jaw's angle jaw_03. [T] table
+                           ///< "Open jaws"
     /// Shares of the turn, 0 to 1, of the jaw's outline counted from the ear (jaw_04, 05, 06 and
     /// their mirrors), of the corners of the mouth. [J]
     double share_4 = 0.3, share_5 = 0.5, share_6 = 0.8, share_corner = 0.4;

@@ -97,6 +97,7 @@ Similarity FitSolver::step(const FitTerms& terms, const PointsRef& current,
     Eigen::VectorXf rhs, residual, z, direction, image;
     system.load_pull();
     system.project(rhs);
+    system.add_expected(rhs);
     system.apply(theta, image);
     residual = rhs - image;
     system.precondition(rhs, z);

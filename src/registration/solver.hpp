@@ -44,8 +44,10 @@ struct FitStepOptions {
     Index pca_modes = 0;
     double kernel_ridge = 1.0;  ///< rho: 1 / (amplification of the model's own variance)
     double pca_ridge = 1.0;
-    bool move = true;        ///< solve for the small motion too
-    bool scale = true;       ///< the motion may scale
+    const Eigen::MatrixXf* kernel_mean = nullptr;  ///< what the prior expects of a, >= scalar_modes
+                                                   ///< x 3; null: zero
+    bool move = true;                              ///< solve for the small motion too
+    bool scale = true;                             ///< the motion may scale
     double tolerance = 0.1;  ///< by how much a step reduces the preconditioned residual
     SolverSettings solver;
 };

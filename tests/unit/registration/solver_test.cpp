@@ -186,6 +186,23 @@ TEST(FitSolver, PriorVarianceForbidsWhatItExcludes) {
     EXPECT_LT(found.kernel.col(0).norm(), 0.3 * found.kernel.col(1).norm());
 }
 
+TEST(FitSolver, WhereNothingIsSeenThePriorsMeanStands) {
+    const SmallFace face = small_face(14, 4);
+    const Index r = face.model.basis.cols;
+    const Eigen::MatrixXf mean = Eigen::MatrixXf::Random(r, 3);
+    FitTerms terms;
+    terms.reset(face.model.num_vertices());
+    FitStepOptions options;
+    options.scalar_modes = r;
+    options.kernel_mean = &mean;
+    options.move = false;
+    options.tolerance = 1e-5;
+    FitCoefficients found;
+    found.kernel.setZero(r, 3);
+    FitSolver(face.model).step(terms, face.model.template_mesh.vertices, options, found, {});
+    EXPECT_LT((found.kernel - mean).norm(), 1e-3 * mean.norm());
+}
+
 TEST(Growth, RunsFromFewToAll) {
     for (const ModeGrowth growth :
          {ModeGrowth::linear, ModeGrowth::exponential, ModeGrowth::cubic}) {

@@ -59,47 +59,5 @@ TEST(Pins, TrainedModesKeepTheirAmplitude) {
         1.4);
 }
 
-// Ears and jaw of a face 140 mm wide, chin forward and below, lips at the middle.
-SmallFace jawed_face() {
-    SmallFace face = small_face();
-    face.model.landmarks.clear();
-    const auto add = [&](const char* name, double x, double y) {
-        Index nearest;
-        const Points& v = face.model.template_mesh.vertices;
-        ((v.col(0).array() - x).square() + (v.col(1).array() - y).square()).minCoeff(&nearest);
-        face.model.landmarks.push_back({name, static_cast<std::uint32_t>(nearest)});
-    };
-    add("jaw_00", -66, 20), add("jaw_16", 66, 20), add("jaw_03", -60, -30), add("jaw_08", 0, -70);
-    add("mouth_outer_03", 0, -30), add("mouth_outer_09", 0, -42);
-    return face;
-}
-
-TEST(Jaw, OpensDownwardsAndLeavesTheUpperFace) {
-    const SmallFace face = jawed_face();
-    FitState state;
-    state.motion = motion_of(30, Vector3(1, 1, 0), Vector3(10, 20, 30));
-    for (const Pin& pin : open_jaw(face.model, state, 0.4, {})) {
-        const Vector3 place = face.model.template_mesh.vertices.row(pin.vertex).transpose();
-        const Vector3 moved = state.motion.inverse().apply(pin.place) - place;
-        std::string name;
-        for (const Landmark& l : face.model.landmarks)
-            if (l.vertex == static_cast<std::uint32_t>(pin.vertex)) name = l.name;
-        if (name == "jaw_08" || name == "mouth_outer_09")
-            EXPECT_LT(moved[1], -8) << name;
-        else
-            EXPECT_LT(moved.norm(), 1e-9) << name;
-    }
-    for (const Pin& pin : open_jaw(face.model, state, 0, {}))
-        EXPECT_LT((state.motion.inverse().apply(pin.place) -
-                   Vector3(face.model.template_mesh.vertices.row(pin.vertex).transpose()))
-                      .norm(),
-                  1e-9);
-}
-
-TEST(Jaw, WithoutItsLandmarksThereIsNone) {
-    EXPECT_TRUE(open_jaw(small_face().model, FitState(), 0.4, {}).empty());
-    EXPECT_FALSE(open_jaw(jawed_face().model, FitState(), 0.4, {}).empty());
-}
-
 }  // namespace
 }  // namespace mien
