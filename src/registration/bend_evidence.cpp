@@ -7,10 +7,13 @@
 // the sharpest bends are noise, lids and lips: both are weighted down.
 #include <cmath>
 
+#include "base/parallel.hpp"
 #include "registration/evidence.hpp"
 
 namespace mien {
 namespace {
+
+constexpr std::size_t kRows = 512;  // of a chunk
 
 class BendEvidence final : public EvidenceTerm {
   public:
@@ -18,15 +21,20 @@ class BendEvidence final : public EvidenceTerm {
         : settings_(settings.bend), observations_(settings.surface.weight) {}
     const char* name() const override { return "bend"; }
 
-    void add(const EvidenceRound& round, FitTerms& terms, const Context&) override {
+    void add(const EvidenceRound& round, FitTerms& terms, const Context& context) override {
         const double precision =
             observations_ * static_cast<double>(round.stride) / (round.sigma_mm * round.sigma_mm);
-        for (Index row = 0; row < round.matches.weight.size(); ++row)
-            if (round.matches.weight[row] > 0)
-                add_turn(round, row,
-                         round.matches.weight[row] * precision * settings_.normal_length_mm *
-                             settings_.normal_length_mm,
-                         terms);
+        const Vector& weights = round.matches.weight;
+        parallel_for(context, static_cast<std::size_t>(weights.size()), kRows,
+                     [&](std::size_t first, std::size_t end) {
+                         for (Index row = static_cast<Index>(first); row < static_cast<Index>(end);
+                              ++row)
+                             if (weights[row] > 0)
+                                 add_turn(round, row,
+                                          weights[row] * precision * settings_.normal_length_mm *
+                                              settings_.normal_length_mm,
+                                          terms);
+                     });
     }
 
   private:

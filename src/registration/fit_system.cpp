@@ -176,17 +176,25 @@ void FitSystem::factor_kernel() {
         sample_gram();
     ++cache_.age;
     const double scale = cache_.weight > 0 ? total_weight() / cache_.weight : 0;
+    std::vector<int> axes;  // with a ridge of their own
     for (int axis = 0; axis < 3; ++axis) {
         factor_of_[axis] = axis;
         for (int before = axis - 1; before >= 0; --before)
             if (kernel_ridge_.segment(axis * r, r) == kernel_ridge_.segment(before * r, r))
                 factor_of_[axis] = before;
-        if (factor_of_[axis] != axis) continue;
-        MatrixF system = static_cast<float>(scale) * cache_.gram;
-        system.diagonal() += kernel_ridge_.segment(axis * r, r);
-        if (!dense::factor_spd(system)) fail(Status::no_solution, kNotDefinite);
-        kernel_factor_[axis] = std::move(system);
+        if (factor_of_[axis] == axis) axes.push_back(axis);
     }
+    bool definite[3] = {true, true, true};
+    parallel_for(context_, axes.size(), 1, [&](std::size_t first, std::size_t end) {
+        for (std::size_t k = first; k < end; ++k) {
+            const int axis = axes[k];
+            MatrixF system = static_cast<float>(scale) * cache_.gram;
+            system.diagonal() += kernel_ridge_.segment(axis * r, r);
+            definite[axis] = dense::factor_spd(system);
+            kernel_factor_[axis] = std::move(system);
+        }
+    });
+    if (!(definite[0] && definite[1] && definite[2])) fail(Status::no_solution, kNotDefinite);
     if (coupled()) factor_coupled(scale);
 }
 
