@@ -12,6 +12,12 @@ namespace abuse {
 
 namespace {
 
+#if defined(MIEN_IMAGES)
+constexpr bool kEncodesImages = true;
+#else
+constexpr bool kEncodesImages = false;
+#endif
+
 template <typename T>
 void put(std::vector<std::uint64_t>& bytes, std::size_t offset, const T& value) {
     std::memcpy(reinterpret_cast<char*>(bytes.data()) + offset, &value, sizeof value);
@@ -231,15 +237,8 @@ std::vector<std::uint64_t> Fixtures::structure(const StructRow& row, std::size_t
             std::uint64_t{triangles_.size() / 3});
         static const std::vector<std::uint8_t> colors(3 * kVertices, 150);
         put(bytes, offsetof(mien_mesh_arrays, colors), colors.data());
-#if defined(MIEN_IMAGES)
         static const std::uint8_t pixels[12] = {};
         static const mien_image image{"skin.png", pixels, 0, 2, 2, nullptr, 0};
-#else  // no encoder: pixels could not be saved, bytes of a file are carried
-        static const std::uint8_t png[] = {
-            0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n', 0, 0, 0, 13, 'I',  'H',  'D',  'R', 0,
-            0,    0,   2,   0,   0,    0,    2,    8,    2, 0, 0, 0,  0xfd, 0xd4, 0x9a, 0x73};
-        static const mien_image image{"skin.png", nullptr, 0, 0, 0, png, sizeof png};
-#endif
         static const mien_material material{"skin", 0, 0, 1, 1, 1};
         put(bytes, offsetof(mien_mesh_arrays, images), &image);
         put(bytes, offsetof(mien_mesh_arrays, image_count), std::uint64_t{1});
@@ -300,6 +299,9 @@ bool Fixtures::good_arguments(const FunctionRow& row, std::vector<Argument>& arg
                     (std::string(row.name) == "mien_measure_asymmetry" ||
                      std::string(row.name) == "mien_landmarks_add_profile"))
                     argument.pointer = symmetric_;
+                if (!kEncodesImages && std::string(parameter.type) == "mien_mesh" &&
+                    std::string(row.name) == "mien_mesh_save_targets")
+                    argument.pointer = symmetric_;  // it has no image
                 if (std::string(row.name) == "mien_measurement_get_distance")
                     argument.pointer = distances_;
                 if (std::string(row.name) == "mien_measurement_get_mirror_plane")
@@ -312,7 +314,11 @@ bool Fixtures::good_arguments(const FunctionRow& row, std::vector<Argument>& arg
                 argument.pointer = kept_.back().data();
                 break;
             case Kind::handle_list:
-                kept_.emplace_back(8, reinterpret_cast<std::uintptr_t>(handle(parameter.type)));
+                kept_.emplace_back(
+                    8, reinterpret_cast<std::uintptr_t>(
+                           !kEncodesImages && std::string(row.name) == "mien_mesh_save_targets"
+                               ? symmetric_
+                               : handle(parameter.type)));
                 argument.pointer = kept_.back().data();
                 break;
             case Kind::text:
