@@ -34,7 +34,7 @@ COMPONENTS = {
                ("png", "png16")),
     "zlib": ("Zlib", "https://zlib.net", r"/(zlib|zconf)\.h$", "zlib.h", r'ZLIB_VERSION "([\d.]+)"', ("z",)),
 }
-OF_IMAGES = {"libjpeg-turbo", "libpng", "zlib"}  # not in builds with MIEN_IMAGES=OFF
+OF_IMAGES = {"libjpeg-turbo"}  # not in builds with MIEN_IMAGES=OFF; the command draws with libpng
 # The compiler's own runtime and the system: headers in their folders, libraries of these names.
 SYSTEM_HEADERS = r"^/usr/(share/mingw-w64/include|lib/gcc(-cross)?|lib/llvm|include/c\+\+|include/(x86_64|aarch64|i386)-linux-gnu/(asm|bits|c\+\+|gnu|sys)|" \
                  r"[^/]*mingw32|[^/]*-linux-gnu/include|lib/clang)/"
@@ -102,9 +102,11 @@ def libraries_asked_for(file):
 
 
 def version_of(component, headers):
+    """By its own header, among those that were read or beside one of them: a library of a library is linked unread."""
     _, _, _, wanted, pattern, _ = COMPONENTS[component]
-    for path in sorted(headers):
-        if any(path.endswith("/" + w) for w in wanted.split("|")):
+    beside = {f"{folder}/{w}" for folder in {os.path.dirname(h) for h in headers} for w in wanted.split("|")}
+    for path in sorted(headers) + sorted(beside):
+        if any(path.endswith("/" + w) for w in wanted.split("|")) and os.path.exists(path):
             numbers = re.findall(pattern, Path(path).read_text(errors="replace"))
             if numbers:
                 parts = numbers[0] if isinstance(numbers[0], tuple) else numbers[:3]
