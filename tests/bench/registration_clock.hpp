@@ -1,20 +1,11 @@
-// Processor and wall seconds of a registration by stage, told by its calls of progress.
+// Wall seconds of a registration by stage, told by its calls of progress.
 #pragma once
-
-#include <sys/resource.h>
 
 #include <chrono>
 
 #include "base/context.hpp"
 
 namespace mien {
-
-inline double cpu_seconds() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
-           1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
-}
 
 inline double wall_seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
@@ -27,28 +18,24 @@ struct StageClock {
     static constexpr const char* kNames[kStages] = {"scan: cleaning, tree, normals", "start", "fit",
                                                     "closing the gap",
                                                     "repair, confidence, verdict"};
-    double seconds[kStages] = {}, begin = cpu_seconds(), last = begin;
-    double wall[kStages] = {}, wall_begin = wall_seconds(), wall_last = wall_begin;
+    double seconds[kStages] = {}, begin = wall_seconds(), last = begin;
     int now = 0;
 
     void listen_to(Context& context) {
         context.progress_function = listen;
         context.progress_user = this;
     }
-    /// Processor seconds of all stages.
+    /// Seconds of all stages.
     double finish() {
         enter(kStages - 1);
         return last - begin;
     }
-    double finished_wall() const { return wall_last - wall_begin; }
 
   private:
     void enter(int stage) {
-        const double time = cpu_seconds(), wall_time = wall_seconds();
+        const double time = wall_seconds();
         seconds[now] += time - last;
-        wall[now] += wall_time - wall_last;
         last = time;
-        wall_last = wall_time;
         now = stage;
     }
     static std::int32_t listen(void* clock, std::int32_t stage, double fraction) {

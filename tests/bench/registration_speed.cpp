@@ -43,8 +43,7 @@ int main(int argc, char** argv) {
             StageClock clock;
             clock.listen_to(context);
             places[way] = register_scan(*model, scan, landmarks, {}, context).fitted.vertices;
-            clock.finish();
-            const double seconds = clock.finished_wall();
+            const double seconds = clock.finish();
             if (seconds < least[way]) least[way] = seconds, best[way] = clock;
         }
         std::printf("%-30s %9s %9s %12s %11s %8s\n", "best of five, wall, s", "portable", "AVX2",
@@ -54,8 +53,8 @@ int main(int argc, char** argv) {
                         slow / one, one / both);
         };
         for (int s = 0; s < StageClock::kStages; ++s)
-            row(StageClock::kNames[s], best[portable].wall[s], best[fast].wall[s],
-                best[threaded].wall[s]);
+            row(StageClock::kNames[s], best[portable].seconds[s], best[fast].seconds[s],
+                best[threaded].seconds[s]);
         row("all", least[portable], least[fast], least[threaded]);
         const Vector apart = (places[fast] - places[portable]).rowwise().norm();
         std::printf("AVX2 from portable %.2g mm, at most %.2g; two threads from one %.2g\n",
