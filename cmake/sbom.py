@@ -34,7 +34,6 @@ COMPONENTS = {
                ("png", "png16")),
     "zlib": ("Zlib", "https://zlib.net", r"/(zlib|zconf)\.h$", "zlib.h", r'ZLIB_VERSION "([\d.]+)"', ("z",)),
 }
-OF_IMAGES = {"libjpeg-turbo"}  # not in builds with MIEN_IMAGES=OFF; the command draws with libpng
 # The compiler's own runtime and the system: headers in their folders, libraries of these names.
 SYSTEM_HEADERS = r"^/usr/(share/mingw-w64/include|lib/gcc(-cross)?|lib/llvm|include/c\+\+|include/(x86_64|aarch64|i386)-linux-gnu/(asm|bits|c\+\+|gnu|sys)|" \
                  r"[^/]*mingw32|[^/]*-linux-gnu/include|lib/clang)/"
@@ -189,7 +188,7 @@ def main():
     seen, headers = evidence(build, files)
     asked = set().union(*(libraries_asked_for(f) for f in files))
     without_images = "MIEN_IMAGES:BOOL=OFF" in (build / "CMakeCache.txt").read_text()
-    may_lack = {"cli11"} | (OF_IMAGES if without_images else set())
+    may_lack = {"cli11", "libjpeg-turbo"} if without_images else {"cli11"}  # libpng stays: the command draws with it
     parts = []
     for name, (licence, home, _, _, _, libraries) in COMPONENTS.items():
         if not seen[name]["headers"] and not seen[name]["libraries"]:
