@@ -1,5 +1,5 @@
 // The first shape of a fit that no landmark holds: the strongest modes under much assumed noise,
-// and a jaw that is tried at several openings.
+// and a jaw that is searched for (jaw_search.hpp).
 #pragma once
 
 #include "registration/jaw_search.hpp"

@@ -1,6 +1,6 @@
 // A jaw that opens, for fits without landmarks: a closest point never finds a lip that has gone
-// down by more than its own height, so a free start tries the jaw at several openings
-// (free_start.hpp).
+// down by more than its own height, so a free start searches for the opening of the jaw
+// (jaw_search.hpp).
 #pragma once
 
 #include <vector>
