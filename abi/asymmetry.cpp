@@ -62,7 +62,8 @@ mien_status MIEN_CALL mien_measure_asymmetry(mien_session* session, const mien_m
         settings.correlation_length_mm = given.correlation_length_mm;
         if (given.normal_sd.count != 0)
             settings.normal_sd_mm = read_values(given.normal_sd, "options.normal_sd");
-        const MirrorMap map = mirror_sides(mirror_map(symmetric), symmetric.vertices);
+        const MirrorMap map =
+            mirror_sides(mirror_map(symmetric, call.context()), symmetric.vertices);
         Asymmetry result = measure_asymmetry(mesh, map, settings, call.context());
         std::string json = asymmetry_json(result);
         return new mien_measurement(std::move(result), std::move(json));

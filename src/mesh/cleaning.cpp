@@ -7,11 +7,23 @@
 #include <numeric>
 
 #include "base/error.hpp"
+#include "base/parallel.hpp"
 #include "mesh/topology.hpp"
 #include "mesh/weld.hpp"
 
 namespace mien {
 namespace {
+
+constexpr std::size_t kChunk = 8192;  // vertices or triangles at a time
+
+/// Triangles that do not stay.
+struct Left {
+    Index bad_index = 0, degenerate = 0;
+    void operator+=(const Left& other) {
+        bad_index += other.bad_index;
+        degenerate += other.degenerate;
+    }
+};
 
 /// For each input vertex the input vertex that stands for it, or kDropped.
 std::vector<std::uint32_t> choose_representatives(const TriMesh& raw,
@@ -45,10 +57,46 @@ bool has_no_area(const Points& vertices, const std::array<std::uint32_t, 3>& cor
     return !(longest > 0.0) || !((ab / longest).cross(ac / longest).norm() > 1e-12);
 }
 
+/// The triangles between the vertices that stand for theirs; those without any, or without area, do
+/// not stay.
+void join_corners(const TriMesh& raw, const CleaningOptions& options,
+                  const std::vector<std::uint32_t>& representative, const Context& context,
+                  std::vector<std::array<std::uint32_t, 3>>& corners,
+                  std::vector<std::uint8_t>& stays, CleanedMesh& cleaned) {
+    const auto join = [&](std::size_t t) {
+        auto& triangle = corners[t];
+        bool known = true;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t vertex =
+                raw.triangles(static_cast<Index>(t), static_cast<Index>(k));
+            triangle[k] = vertex < representative.size() ? representative[vertex] : kDropped;
+            known = known && triangle[k] != kDropped;
+        }
+        if (!known) return Left{1, 0};
+        if (triangle[0] == triangle[1] || triangle[1] == triangle[2] ||
+            triangle[0] == triangle[2] ||
+            (options.drop_zero_area && has_no_area(raw.vertices, triangle)))
+            return Left{0, 1};
+        return Left{0, 0};
+    };
+    const Left left = parallel_sum<Left>(
+        context, corners.size(), kChunk, Left{}, [&](std::size_t begin, std::size_t end) {
+            Left sum;
+            for (std::size_t t = begin; t < end; ++t) {
+                const Left one = join(t);
+                stays[t] = one.bad_index == 0 && one.degenerate == 0;
+                sum += one;
+            }
+            return sum;
+        });
+    cleaned.num_bad_index += left.bad_index;
+    cleaned.num_degenerate += left.degenerate;
+}
+
 /// Marks all but the first of triangles with equal vertex sets.
 void drop_duplicates(const std::vector<std::array<std::uint32_t, 3>>& corners,
                      std::vector<std::uint8_t>& stays, std::size_t num_vertices,
-                     CleanedMesh& cleaned) {
+                     const Context& context, CleanedMesh& cleaned) {
     auto sorted = [](std::array<std::uint32_t, 3> triangle) {
         std::sort(triangle.begin(), triangle.end());
         return triangle;
@@ -68,7 +116,8 @@ void drop_duplicates(const std::vector<std::array<std::uint32_t, 3>>& corners,
         const auto key = sorted(corners[t]);
         entries[fill[key[0]]++] = {key[1], key[2], static_cast<std::uint32_t>(t)};
     }
-    for (std::size_t v = 0; v < num_vertices; ++v) {
+    const auto drop_within = [&](std::size_t v) {
+        Index dropped = 0;
         const auto begin = entries.begin() + start[v], end = entries.begin() + start[v + 1];
         std::sort(begin, end, [](const Entry& a, const Entry& b) {
             if (a.middle != b.middle) return a.middle < b.middle;
@@ -78,9 +127,17 @@ void drop_duplicates(const std::vector<std::array<std::uint32_t, 3>>& corners,
             if (entry != begin && entry->middle == (entry - 1)->middle &&
                 entry->high == (entry - 1)->high) {
                 stays[entry->triangle] = 0;
-                ++cleaned.num_duplicate;
+                ++dropped;
             }
-    }
+        return dropped;
+    };
+    cleaned.num_duplicate += parallel_sum<Index>(context, num_vertices, kChunk, 0,
+                                                 [&](std::size_t first, std::size_t last) {
+                                                     Index dropped = 0;
+                                                     for (std::size_t v = first; v < last; ++v)
+                                                         dropped += drop_within(v);
+                                                     return dropped;
+                                                 });
 }
 
 void drop_small_components(const std::vector<std::array<std::uint32_t, 3>>& corners,
@@ -160,27 +217,10 @@ CleanedMesh clean_mesh(const TriMesh& raw, const CleaningOptions& options, const
 
     std::vector<std::array<std::uint32_t, 3>> corners(num_triangles);
     std::vector<std::uint8_t> stays(num_triangles, 1);
-    for (std::size_t t = 0; t < num_triangles; ++t) {
-        auto& triangle = corners[t];
-        bool known = true;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint32_t vertex =
-                raw.triangles(static_cast<Index>(t), static_cast<Index>(k));
-            triangle[k] = vertex < num_vertices ? representative[vertex] : kDropped;
-            known = known && triangle[k] != kDropped;
-        }
-        if (!known) {
-            stays[t] = 0;
-            ++cleaned.num_bad_index;
-        } else if (triangle[0] == triangle[1] || triangle[1] == triangle[2] ||
-                   triangle[0] == triangle[2] ||
-                   (options.drop_zero_area && has_no_area(raw.vertices, triangle))) {
-            stays[t] = 0;
-            ++cleaned.num_degenerate;
-        }
-    }
+    join_corners(raw, options, representative, context, corners, stays, cleaned);
     context.check_cancelled();
-    if (options.drop_duplicate_triangles) drop_duplicates(corners, stays, num_vertices, cleaned);
+    if (options.drop_duplicate_triangles)
+        drop_duplicates(corners, stays, num_vertices, context, cleaned);
     context.check_cancelled();
     if (options.min_component_triangles > 1)
         drop_small_components(corners, stays, num_vertices, options.min_component_triangles,

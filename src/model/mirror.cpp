@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "base/error.hpp"
+#include "base/parallel.hpp"
 
 namespace mien {
 namespace {
@@ -22,7 +23,7 @@ double mean_edge(const TriMesh& mesh) {
 
 }  // namespace
 
-std::vector<std::uint32_t> mirror_map(const TriMesh& mesh) {
+std::vector<std::uint32_t> mirror_map(const TriMesh& mesh, const Context& context) {
     const Index n = mesh.vertices.rows();
     const double reach = mean_edge(mesh);
     // In cells of y and z as wide as the reach, sorted: only vertices of the cells about an image
@@ -44,7 +45,7 @@ std::vector<std::uint32_t> mirror_map(const TriMesh& mesh) {
             {cell(mesh.vertices(v, 1)), cell(mesh.vertices(v, 2)), static_cast<std::uint32_t>(v)});
     std::sort(entries.begin(), entries.end());
     std::vector<std::uint32_t> mirror(static_cast<std::size_t>(n));
-    for (Index v = 0; v < n; ++v) {
+    const auto find = [&](Index v) {
         const Eigen::RowVector3d image(-mesh.vertices(v, 0), mesh.vertices(v, 1),
                                        mesh.vertices(v, 2));
         double best = reach * reach;
@@ -68,7 +69,10 @@ std::vector<std::uint32_t> mirror_map(const TriMesh& mesh) {
                     "the template is not symmetric about x = 0: no vertex within %.3g mm of the "
                     "mirror image of vertex %lld; build without mirror symmetry",
                     reach, static_cast<long long>(v));
-    }
+    };
+    parallel_for(context, mirror.size(), 1024, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t v = begin; v < end; ++v) find(static_cast<Index>(v));
+    });
     for (std::size_t v = 0; v < mirror.size(); ++v)
         if (mirror[mirror[v]] != v)
             fail_at(

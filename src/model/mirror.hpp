@@ -18,7 +18,7 @@ namespace mien {
 /// For each vertex the vertex nearest to its mirror image. Throws Status::invalid_mesh when an
 /// image lies farther than the mean edge from every vertex, or two vertices do not point at each
 /// other.
-std::vector<std::uint32_t> mirror_map(const TriMesh& mesh);
+std::vector<std::uint32_t> mirror_map(const TriMesh& mesh, const Context& context);
 
 /// principal_basis of the even and the odd part of K = factor factor', merged by strength; `parity`
 /// of the result is +1 or -1 per column. A kernel that is not itself symmetric is symmetrised.

@@ -97,7 +97,7 @@ LowRankReport build_basis(const TriMesh& mesh, const ModelOptions& options, cons
     const KernelBlocks blocks = prepare_kernel_blocks(
         mesh, options.kernels, rank.num_modes, options.num_control_points, options.heat, context);
     std::vector<std::uint32_t> mirror;
-    if (options.mirror_symmetric) mirror = mirror_map(mesh);
+    if (options.mirror_symmetric) mirror = mirror_map(mesh, context);
     LowRankBasis low_rank = kernel_basis(blocks, options.kernels, rank, options.scale_per_vertex,
                                          context, options.mirror_symmetric ? &mirror : nullptr);
     if (options.mirror_symmetric)

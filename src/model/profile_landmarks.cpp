@@ -31,7 +31,7 @@ bool has(const std::vector<Landmark>& known, const char* name) {
 class Profile {
   public:
     Profile(const TriMesh& mesh, const std::vector<Landmark>& known) : mesh_(mesh), known_(known) {
-        const std::vector<std::uint32_t> partner = mirror_map(mesh);
+        const std::vector<std::uint32_t> partner = mirror_map(mesh, Context());
         std::vector<std::uint32_t> all;
         for (std::uint32_t v = 0; v < partner.size(); ++v)
             if (partner[v] == v) all.push_back(v);

@@ -182,14 +182,15 @@ WholeMeasures measure_whole(const MeasuredFit& f, double landmark_sigma_mm) {
 
 std::vector<ZoneMeasures> measure_zones(const MeasuredFit& finished,
                                         const std::vector<ColorAgreement>& colors,
-                                        const ZoneMeasureSettings& settings) {
+                                        const ZoneMeasureSettings& settings,
+                                        const Context& context) {
     const Index n = finished.places.rows();
     const Zone* face = find_zone(finished.model.zones, kWhole);
     const std::vector<std::uint8_t> whole =
         face != nullptr ? members_of(*face, n)
                         : std::vector<std::uint8_t>(static_cast<std::size_t>(n), 1);
     VertexMeasures vertices = measure_vertices(finished, settings, whole);
-    vertices.around = measure_places(finished, whole, colors, settings);
+    vertices.around = measure_places(finished, whole, colors, settings, context);
     std::vector<ZoneMeasures> zones{
         measure_zone(finished, vertices, kWhole, whole, settings.most_share)};
     for (const Zone& zone : finished.model.zones)

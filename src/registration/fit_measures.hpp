@@ -91,6 +91,7 @@ WholeMeasures measure_whole(const MeasuredFit& finished, double landmark_sigma_m
 /// for P landmarks.
 std::vector<ZoneMeasures> measure_zones(const MeasuredFit& finished,
                                         const std::vector<ColorAgreement>& colors,
-                                        const ZoneMeasureSettings& settings);
+                                        const ZoneMeasureSettings& settings,
+                                        const Context& context);
 
 }  // namespace mien

@@ -4,12 +4,15 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/parallel.hpp"
 #include "geometry/alignment.hpp"
 #include "geometry/normals.hpp"
 #include "model/mirror.hpp"
 
 namespace mien {
 namespace {
+
+constexpr std::size_t kMeasured = 1024;  // vertices at a time
 
 // Distances to the face's own mirror image, laid over it. `partner`: each vertex' mirror image.
 Vector mirror_distance(const MeasuredFit& f, const std::vector<std::uint32_t>& partner,
@@ -28,9 +31,10 @@ Vector mirror_distance(const MeasuredFit& f, const std::vector<std::uint32_t>& p
 }
 
 // Zero when the template is no mirror image of itself, or too flat to be laid over anything.
-Vector asymmetry(const MeasuredFit& f, const std::vector<std::uint8_t>& whole) {
+Vector asymmetry(const MeasuredFit& f, const std::vector<std::uint8_t>& whole,
+                 const Context& context) {
     try {
-        return mirror_distance(f, mirror_map(f.model.template_mesh), whole);
+        return mirror_distance(f, mirror_map(f.model.template_mesh, context), whole);
     } catch (const Error& error) {
         if (error.status() != Status::invalid_mesh && error.status() != Status::no_solution) throw;
         return Vector::Zero(f.places.rows());
@@ -75,38 +79,54 @@ Vector slide(const MeasuredFit& f) {
     return slid;
 }
 
-void measure_pins(const MeasuredFit& f, const ZoneMeasureSettings& settings, PlaceMeasures& out) {
+// Calls look_at(vertex) on all threads.
+template <typename LookAt>
+void for_open_vertices(const MeasuredFit& f, const Context& context, LookAt&& look_at) {
+    parallel_for(context, f.prior.inner.size(), kMeasured, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k)
+            if (!f.prior.inner[k]) look_at(static_cast<Index>(k));
+    });
+}
+
+void measure_pins(const MeasuredFit& f, const ZoneMeasureSettings& settings, PlaceMeasures& out,
+                  const Context& context) {
     const Points& rest = f.model.template_mesh.vertices;
     out.pin_far_mm = Vector::Constant(rest.rows(), settings.far_mm);
     out.pin_misfit_mm = Vector::Zero(rest.rows());
     constexpr double kSomeWeight = 0.1;  // of a far landmark: what it says fades with distance
-    for (Index i = 0; i < rest.rows(); ++i) {
-        double sum = kSomeWeight, squares = 0;
-        for (const Pin& pin : f.start.pins) {
-            const double far = (rest.row(i) - rest.row(pin.vertex)).norm();
-            out.pin_far_mm[i] = std::min(out.pin_far_mm[i], far);
-            const double weight = std::exp(-far * far / (2 * settings.near_mm * settings.near_mm));
+    std::vector<double> misfit2;
+    for (const Pin& pin : f.start.pins)
+        misfit2.push_back((f.places.row(pin.vertex).transpose() - pin.place).squaredNorm());
+    const auto look_at = [&](Index i) {
+        double sum = kSomeWeight, squares = 0, nearest2 = settings.far_mm * settings.far_mm;
+        for (std::size_t k = 0; k < misfit2.size(); ++k) {
+            const double far2 = (rest.row(i) - rest.row(f.start.pins[k].vertex)).squaredNorm();
+            nearest2 = std::min(nearest2, far2);
+            const double weight = std::exp(-far2 / (2 * settings.near_mm * settings.near_mm));
             sum += weight;
-            squares += weight * (f.places.row(pin.vertex).transpose() - pin.place).squaredNorm();
+            squares += weight * misfit2[k];
         }
+        out.pin_far_mm[i] = std::sqrt(nearest2);
         out.pin_misfit_mm[i] = std::sqrt(squares / sum);
-    }
+    };
+    for_open_vertices(f, context, look_at);
 }
 
 void measure_colors(const MeasuredFit& f, const std::vector<ColorAgreement>& colors,
-                    const ZoneMeasureSettings& settings, PlaceMeasures& out) {
+                    const ZoneMeasureSettings& settings, PlaceMeasures& out,
+                    const Context& context) {
     const Points& rest = f.model.template_mesh.vertices;
     out.color_hold = out.color_doubt = Vector::Zero(rest.rows());
     for (const ColorAgreement& feature : colors) {
         if (feature.centre < 0) continue;
-        for (Index i = 0; i < rest.rows(); ++i) {
-            const double far = (rest.row(i) - rest.row(feature.centre)).norm();
-            const double near = std::exp(-far * far / (2 * settings.near_mm * settings.near_mm));
+        for_open_vertices(f, context, [&](Index i) {
+            const double far2 = (rest.row(i) - rest.row(feature.centre)).squaredNorm();
+            const double near = std::exp(-far2 / (2 * settings.near_mm * settings.near_mm));
             out.color_hold[i] =
                 std::max(out.color_hold[i], near * std::max(0.0, feature.correlation));
             out.color_doubt[i] =
                 std::max(out.color_doubt[i], near * (feature.trust - feature.correlation));
-        }
+        });
     }
 }
 
@@ -114,13 +134,13 @@ void measure_colors(const MeasuredFit& f, const std::vector<ColorAgreement>& col
 
 PlaceMeasures measure_places(const MeasuredFit& finished, const std::vector<std::uint8_t>& whole,
                              const std::vector<ColorAgreement>& colors,
-                             const ZoneMeasureSettings& settings) {
+                             const ZoneMeasureSettings& settings, const Context& context) {
     PlaceMeasures out;
-    out.asymmetry_mm = asymmetry(finished, whole);
+    out.asymmetry_mm = asymmetry(finished, whole, context);
     out.shape2 = squared_shape(finished, settings.shape_modes);
     out.slid_mm = slide(finished);
-    measure_pins(finished, settings, out);
-    measure_colors(finished, colors, settings, out);
+    measure_pins(finished, settings, out, context);
+    measure_colors(finished, colors, settings, out, context);
     return out;
 }
 

@@ -82,9 +82,11 @@ void FitSystem::precondition(const VectorF& in, VectorF& out) const {
     out = in;
     const Index r = layout_.r, q = layout_.p + layout_.g;
     if (r > 0)
-        for (int axis = 0; axis < 3; ++axis)
-            dense::solve_factored(kernel_factor_[factor_of_[axis]],
-                                  Eigen::Map<MatrixF>(out.data() + axis * r, r, 1));
+        parallel_for(context_, 3, 1, [&](std::size_t axis, std::size_t) {
+            dense::solve_factored(
+                kernel_factor_[factor_of_[axis]],
+                Eigen::Map<MatrixF>(out.data() + static_cast<Index>(axis) * r, r, 1));
+        });
     if (q == 0) return;
     if (coupled()) out.tail(q).noalias() -= coupling_.transpose() * out.head(3 * r);
     dense::solve_factored(vector_factor_, Eigen::Map<MatrixF>(out.data() + 3 * r, q, 1));
@@ -259,8 +261,10 @@ void FitSystem::factor_coupled(double scale) {
     const Index r = layout_.r, p = layout_.p;
     coupling_ = static_cast<float>(scale) * cache_.coupling;
     carried_ = coupling_;
-    for (int axis = 0; axis < 3; ++axis)
-        dense::solve_factored(kernel_factor_[factor_of_[axis]], carried_.middleRows(axis * r, r));
+    parallel_for(context_, 3, 1, [&](std::size_t axis, std::size_t) {
+        dense::solve_factored(kernel_factor_[factor_of_[axis]],
+                              carried_.middleRows(static_cast<Index>(axis) * r, r));
+    });
     MatrixF gram = static_cast<float>(scale) * cache_.vector_gram;
     // Something where nothing is seen at all.
     gram.diagonal().array() += options_.solver.ground * std::max(1.0f, gram.diagonal().maxCoeff());

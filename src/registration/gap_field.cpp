@@ -8,7 +8,7 @@
 namespace mien {
 namespace {
 
-constexpr Index kChunk = 8192;
+constexpr Index kChunk = 2048;
 
 // The sum over a vertex' neighbours of `field`, for `count` vertices.
 template <int kDegree>

@@ -15,11 +15,11 @@
 namespace mien {
 
 struct GapFieldSettings {
-    double smoothness = 20;      ///< alpha, > 0 [J]
-    double ground = 0.02;        ///< e, > 0 [J]
-    int most_iterations = 80;    ///< >= 1: of conjugate gradients; tens are enough [J]
-    double tolerance = 1e-8;     ///< > 0: of the squared residual [J]
-    Index threads_from = 20000;  ///< vertices; waking threads costs more than smaller fields [J]
+    double smoothness = 20;     ///< alpha, > 0 [J]
+    double ground = 0.02;       ///< e, > 0 [J]
+    int most_iterations = 80;   ///< >= 1: of conjugate gradients; tens are enough [J]
+    double tolerance = 1e-8;    ///< > 0: of the squared residual [J]
+    Index threads_from = 5000;  ///< vertices; waking threads costs more than smaller fields [J]
 };
 
 /// Of one template; holds its workspace. Not shared between threads.

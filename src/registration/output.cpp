@@ -50,7 +50,7 @@ Verdict find_verdict(const FinishedStages& stages, const Points& normals,
                                                     settings.fit.loop.match, context);
     measure_fit({stages.model, stages.prior, stages.start, stages.fit, places,
                  result.correspondence, result.weight, result.confidence_mm},
-                settings.start.landmark_sigma_mm, settings.verdict.measure, verdict);
+                settings.start.landmark_sigma_mm, settings.verdict.measure, context, verdict);
     judge(verdict, settings.verdict.limits);
     return verdict;
 }

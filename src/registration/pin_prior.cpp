@@ -8,6 +8,7 @@
 #include <limits>
 #include <numeric>
 
+#include "base/dense.hpp"
 #include "base/error.hpp"
 #include "registration/evidence.hpp"
 
@@ -27,7 +28,7 @@ struct PinPrior {
 };
 
 PinPrior pin_prior(const DeformationModel& model, const std::vector<Pin>& pins,
-                   const Similarity& motion) {
+                   const Similarity& motion, const Context& context) {
     constexpr double kRadius_mm = 100;  // of a head: makes turns and shifts alike in size
     const Index n = static_cast<Index>(pins.size()), r = model.basis.cols, p = model.pca_modes.cols;
     const Similarity to_model = motion.inverse();
@@ -51,11 +52,17 @@ PinPrior pin_prior(const DeformationModel& model, const std::vector<Pin>& pins,
     for (int axis = 0; axis < 3 && r > 0; ++axis) {
         Vector variance = Vector::Ones(r);
         if (model.prior_variance.rows() >= r) variance = model.prior_variance.col(axis).head(r);
-        const Matrix kernel = modes * variance.asDiagonal() * modes.transpose();
+        const Matrix scaled = modes * variance.asDiagonal();
+        Matrix kernel(n, n);
+        dense::multiply(context, 1.0, scaled, dense::Op::none, modes, dense::Op::transpose, 0.0,
+                        kernel);
         for (Index i = 0; i < n; ++i)
             for (Index j = 0; j < n; ++j) prior.kernel(3 * i + axis, 3 * j + axis) = kernel(i, j);
     }
-    prior.vectors = vectors * vectors.transpose();
+    prior.vectors.setZero(3 * n, 3 * n);
+    if (p > 0)
+        dense::multiply(context, 1.0, vectors, dense::Op::none, vectors, dense::Op::transpose, 0.0,
+                        prior.vectors);
     return prior;
 }
 
@@ -101,11 +108,12 @@ Index find_worst(const Matrix& covariance, const Vector& displacement,
 std::vector<std::size_t> contradicting_pins(const DeformationModel& model,
                                             const std::vector<Pin>& pins, const Similarity& motion,
                                             double kernel_amplitude, double pca_amplitude,
-                                            const PinPriorSettings& settings) {
+                                            const PinPriorSettings& settings,
+                                            const Context& context) {
     std::vector<std::size_t> rejected, kept(pins.size());
     std::iota(kept.begin(), kept.end(), std::size_t{0});
     if (pins.size() < settings.fewest_to_reject || pins.size() > settings.most) return rejected;
-    const PinPrior prior = pin_prior(model, pins, motion);
+    const PinPrior prior = pin_prior(model, pins, motion, context);
     Matrix covariance = prior.covariance(kernel_amplitude, pca_amplitude) +
                         settings.motion_variance * prior.moves * prior.moves.transpose();
     for (std::size_t k = 0; k < pins.size(); ++k)
@@ -126,19 +134,23 @@ std::vector<std::size_t> contradicting_pins(const DeformationModel& model,
 
 PinFactors weigh_pins(const DeformationModel& model, const std::vector<Pin>& pins,
                       const Similarity& motion, double kernel_amplitude, double pca_amplitude,
-                      const PinPriorSettings& settings) {
+                      const PinPriorSettings& settings, const Context& context) {
     PinFactors best;
     if (!settings.weigh || pins.size() < settings.fewest_to_weigh || pins.size() > settings.most)
         return best;
-    const PinPrior prior = pin_prior(model, pins, motion);
+    const PinPrior prior = pin_prior(model, pins, motion, context);
     const Index n = prior.displacement.size();
     // Motions carry no evidence: everything is seen orthogonal to them.
     const Matrix whole =
         Eigen::HouseholderQR<Matrix>(prior.moves).householderQ() * Matrix::Identity(n, n);
     const Matrix others = whole.rightCols(n - prior.moves.cols());
     const Matrix covariance = prior.covariance(kernel_amplitude, pca_amplitude);
-    const Eigen::SelfAdjointEigenSolver<Matrix> eigen(
-        Matrix(others.transpose() * covariance * others));
+    Matrix carried(n, others.cols()), seen_covariance(others.cols(), others.cols());
+    dense::multiply(context, 1.0, covariance, dense::Op::none, others, dense::Op::none, 0.0,
+                    carried);
+    dense::multiply(context, 1.0, others, dense::Op::transpose, carried, dense::Op::none, 0.0,
+                    seen_covariance);
+    const Eigen::SelfAdjointEigenSolver<Matrix> eigen(seen_covariance);
     if (eigen.info() != Eigen::Success || !eigen.eigenvalues().allFinite())
         fail(Status::no_solution,
              "registration: the eigenvalues of the landmarks' covariance were not found; check "

@@ -50,13 +50,14 @@ struct PinFactors {
 /// multiply. Throws Status::no_solution when the eigenproblem does. O(#pins^3).
 PinFactors weigh_pins(const DeformationModel& model, const std::vector<Pin>& pins,
                       const Similarity& motion, double kernel_amplitude, double pca_amplitude,
-                      const PinPriorSettings& settings);
+                      const PinPriorSettings& settings, const Context& context);
 
 /// Numbers of the contradicted pins, worst first. Throws Status::no_solution when the covariance
 /// cannot be factored. O(#pins^3) for each.
 std::vector<std::size_t> contradicting_pins(const DeformationModel& model,
                                             const std::vector<Pin>& pins, const Similarity& motion,
                                             double kernel_amplitude, double pca_amplitude,
-                                            const PinPriorSettings& settings);
+                                            const PinPriorSettings& settings,
+                                            const Context& context);
 
 }  // namespace mien

@@ -20,13 +20,15 @@ struct BeginAndFit {
 // than the kernel that knows nothing, and its landmarks tell: whichever prior makes them likelier
 // by far is the one to fit by.
 bool landmarks_prefer_kernel(const DeformationModel& model, const PriorState& prior,
-                             const StartState& start, const RegistrationSettings& settings) {
+                             const StartState& start, const RegistrationSettings& settings,
+                             const Context& context) {
     if (!settings.prior.weigh_trained || prior.pca_modes == 0 || prior.amplitude_given ||
         model.basis.cols == 0 || !start.pin_factors.weighed)
         return false;
     std::vector<Pin> pins = start.pins;
     for (Pin& pin : pins) pin.sigma_mm = settings.start.landmark_sigma_mm;  // as stated
-    const PinFactors alone = weigh_pins(model, pins, start.motion, 1, 0, settings.start.pin_prior);
+    const PinFactors alone =
+        weigh_pins(model, pins, start.motion, 1, 0, settings.start.pin_prior, context);
     return alone.weighed && alone.cost + settings.prior.clearly < start.pin_factors.cost;
 }
 
@@ -72,7 +74,7 @@ RegistrationResult register_prepared(const DeformationModel& model, const Prepar
     const LoopSettings& loop = settings.fit.loop;
     BeginAndFit done{find_start(model, scan, prior, landmarks, settings.start, loop, context), {}};
     PriorState settled = prior;
-    if (landmarks_prefer_kernel(model, prior, done.start, settings)) {
+    if (landmarks_prefer_kernel(model, prior, done.start, settings, context)) {
         settled = kernel_alone(model, prior, settings.prior);
         done.start = find_start(model, scan, settled, landmarks, settings.start, loop, context);
         done.start.notes.emplace_back(

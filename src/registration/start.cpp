@@ -122,7 +122,7 @@ void use_pins(const DeformationModel& model, const PriorState& prior, StartKind 
         if (!prior.amplitude_given) {
             const PinFactors likeliest =
                 weigh_pins(model, weighed, state.motion, state.kernel_amplitude, pca_amplitude,
-                           settings.pin_prior);
+                           settings.pin_prior, context);
             state.kernel_amplitude *= likeliest.amplitude;
             for (Pin& pin : weighed) pin.sigma_mm *= likeliest.noise;
             start.pin_factors = likeliest;
@@ -131,7 +131,7 @@ void use_pins(const DeformationModel& model, const PriorState& prior, StartKind 
         }
         std::vector<std::size_t> rejected =
             contradicting_pins(model, weighed, state.motion, state.kernel_amplitude, pca_amplitude,
-                               settings.pin_prior);
+                               settings.pin_prior, context);
         num_contradicted += rejected.size();
         if (rejected.empty() || num_contradicted > most) {
             start.pins = std::move(weighed);

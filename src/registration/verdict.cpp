@@ -104,7 +104,7 @@ void judge_expected(Verdict& v, std::size_t most_zones, Judge& judge) {
 }  // namespace
 
 void measure_fit(const MeasuredFit& finished, double landmark_sigma_mm,
-                 const MeasureSettings& settings, Verdict& v) {
+                 const MeasureSettings& settings, const Context& context, Verdict& v) {
     measure_surface(finished, settings, v);
     const std::vector<Pin>& pins = finished.start.pins;
     double squares = 0;
@@ -125,7 +125,7 @@ void measure_fit(const MeasuredFit& finished, double landmark_sigma_mm,
     }
     v.whole.folds = static_cast<double>(v.flipped_triangles) /
                     static_cast<double>(finished.model.template_mesh.triangles.rows());
-    v.zones = measure_zones(finished, v.colors, settings.zones);
+    v.zones = measure_zones(finished, v.colors, settings.zones, context);
     for (const ZoneMeasures& zone : v.zones) {
         v.whole.worst_open_mm = std::max(v.whole.worst_open_mm, zone.open_mm);
         v.whole.worst_unseen = std::max(v.whole.worst_unseen, zone.unseen);

@@ -78,7 +78,7 @@ struct VerdictSettings {
 /// Fills coverage, residuals, landmarks, size, deviation, may_slide and the measures of the whole
 /// and of the zones. Reads the verdict's colours and folds. `landmark_sigma_mm`: as stated.
 void measure_fit(const MeasuredFit& finished, double landmark_sigma_mm,
-                 const MeasureSettings& settings, Verdict& verdict);
+                 const MeasureSettings& settings, const Context& context, Verdict& verdict);
 
 /// Sets the expected errors, quality and reasons from the measures. The quality is that of the
 /// error expected of the whole face; doubtful at best where that of a zone is failed; and limits

@@ -189,7 +189,7 @@ TEST(ModelBuilder, ScalePerVertexHoldsVerticesStill) {
 
 TEST(ModelBuilder, MirrorModesAreEvenOrOddAndCorrelateTheSides) {
     const TriMesh mesh = bumpy_sheet(12);
-    const auto mirror = mirror_map(mesh);
+    const auto mirror = mirror_map(mesh, {});
     ModelOptions options = options_of(KernelKind::euclidean_se, 20, 120);
     options.mirror_symmetric = true;
     options.mirror_correlation = 1;

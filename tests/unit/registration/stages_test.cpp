@@ -180,9 +180,9 @@ TEST(Pins, RefuseACovarianceThatHasNoFactor) {
     for (const Landmark& l : face.model.landmarks)
         pins.push_back({static_cast<Index>(l.vertex), face.truth.row(l.vertex).transpose(), 1.0});
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(status_of([&] { contradicting_pins(face.model, pins, {}, nan, 1, {}); }),
+    EXPECT_EQ(status_of([&] { contradicting_pins(face.model, pins, {}, nan, 1, {}, {}); }),
               Status::no_solution);
-    EXPECT_EQ(status_of([&] { weigh_pins(face.model, pins, {}, nan, 1, {}); }),
+    EXPECT_EQ(status_of([&] { weigh_pins(face.model, pins, {}, nan, 1, {}, {}); }),
               Status::no_solution);
 }
 

@@ -24,20 +24,21 @@ std::vector<Pin> noisy_pins(const SmallFace& face, double noise_mm, double state
 
 TEST(Pins, ExactPicksAreFoundExact) {
     const SmallFace face = small_face();
-    EXPECT_LT(weigh_pins(face.model, noisy_pins(face, 0.05, 1.5), Similarity(), 1, 1, {}).noise,
+    EXPECT_LT(weigh_pins(face.model, noisy_pins(face, 0.05, 1.5), Similarity(), 1, 1, {}, {}).noise,
               0.7);
-    EXPECT_GT(weigh_pins(face.model, noisy_pins(face, 1.5, 1.5), Similarity(), 1, 1, {}).noise,
+    EXPECT_GT(weigh_pins(face.model, noisy_pins(face, 1.5, 1.5), Similarity(), 1, 1, {}, {}).noise,
               0.8);
 }
 
 // The face lies half a deviation off along each mode.
 TEST(Pins, TheKernelsAmplitudeFollowsTheFace) {
     const SmallFace face = small_face();
-    EXPECT_GT(
-        weigh_pins(face.model, noisy_pins(face, 0.05, 1.5), Similarity(), 0.25, 1, {}).amplitude,
-        1.4);
-    EXPECT_LT(weigh_pins(face.model, noisy_pins(face, 0.05, 1.5), Similarity(), 4, 1, {}).amplitude,
-              0.5);
+    EXPECT_GT(weigh_pins(face.model, noisy_pins(face, 0.05, 1.5), Similarity(), 0.25, 1, {}, {})
+                  .amplitude,
+              1.4);
+    EXPECT_LT(
+        weigh_pins(face.model, noisy_pins(face, 0.05, 1.5), Similarity(), 4, 1, {}, {}).amplitude,
+        0.5);
 }
 
 TEST(Pins, TrainedModesKeepTheirAmplitude) {
@@ -50,13 +51,13 @@ TEST(Pins, TrainedModesKeepTheirAmplitude) {
             trained->row(3 * i + axis).segment(axis * r, r) = 0.5f * face.model.basis.map().row(i);
     face.model.pca_modes = {trained->data(), 3 * n, 3 * r};
     const PinFactors evidence =
-        weigh_pins(face.model, noisy_pins(face, 0.05, 1.5), Similarity(), 1e-3, 1, {});
+        weigh_pins(face.model, noisy_pins(face, 0.05, 1.5), Similarity(), 1e-3, 1, {}, {});
     EXPECT_EQ(evidence.amplitude, 1);
     EXPECT_LT(evidence.noise, 0.7);
     // Left out of the fit they leave the amplitude to the landmarks.
-    EXPECT_GT(
-        weigh_pins(face.model, noisy_pins(face, 0.05, 1.5), Similarity(), 0.25, 0, {}).amplitude,
-        1.4);
+    EXPECT_GT(weigh_pins(face.model, noisy_pins(face, 0.05, 1.5), Similarity(), 0.25, 0, {}, {})
+                  .amplitude,
+              1.4);
 }
 
 }  // namespace
