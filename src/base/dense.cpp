@@ -41,6 +41,49 @@ const Kernels<float>& kernels<float>() {
     return portable_kernels_f32();
 }
 
+// Columns of a product with a block of vectors, four of which are worked on together.
+constexpr Index kFew = 4, kBlockOfVectors = 8;
+// Rows and columns of A that stay in a second cache of 512 kB while four and the other four are
+// multiplied by them; long pieces of columns, as memory gives them best.
+constexpr std::size_t kBlockRows = 1024;
+constexpr Index kBlockColumns = 24;
+
+// C = alpha A B + beta C or alpha A' B + beta C where B has four or eight columns: a general
+// product packs A first, which costs as much as the work itself.
+template <typename Scalar, typename ConstRef, typename MutableRef>
+void multiply_block(const Context& context, Scalar alpha, const ConstRef& a, Op op_a,
+                    const ConstRef& b, Scalar beta, MutableRef& c) {
+    using Dense = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+    const auto& kernel = kernels<Scalar>();
+    const Index n = b.cols(), k = a.cols();
+    const std::size_t rows = static_cast<std::size_t>(a.rows());
+    if (beta == Scalar(0))
+        c.setZero();
+    else if (beta != Scalar(1))
+        c *= beta;
+    const Dense scaled = alpha * b;
+    std::vector<Dense> parts(op_a == Op::none ? 0 : (rows + kBlockRows - 1) / kBlockRows);
+    parallel_for(context, rows, kBlockRows, [&](std::size_t begin, std::size_t end) {
+        const auto first = static_cast<Index>(begin), count = static_cast<Index>(end - begin);
+        Dense* const part = parts.empty() ? nullptr : &parts[begin / kBlockRows];
+        if (part != nullptr) part->resize(k, n);
+        for (Index column = 0; column < k; column += kBlockColumns) {
+            const Index width = std::min(kBlockColumns, k - column);
+            const Scalar* piece = a.data() + column * a.outerStride() + first;
+            for (Index j = 0; j < n; j += kFew)
+                if (part != nullptr)
+                    kernel.project_four(count, width, piece, a.outerStride(),
+                                        scaled.data() + j * scaled.rows() + first, scaled.rows(),
+                                        part->data() + j * k + column, k);
+                else
+                    kernel.expand_four(count, width, piece, a.outerStride(),
+                                       scaled.data() + j * k + column, k,
+                                       c.data() + j * c.outerStride() + first, c.outerStride());
+        }
+    });
+    for (const Dense& part : parts) c += part;  // in their order, whoever computed them
+}
+
 template <typename Scalar, typename ConstRef, typename MutableRef>
 void multiply_panels(const Context& context, Scalar alpha, const ConstRef& a, Op op_a,
                      const ConstRef& b, Op op_b, Scalar beta, MutableRef& c) {
@@ -50,6 +93,8 @@ void multiply_panels(const Context& context, Scalar alpha, const ConstRef& a, Op
     if ((tb ? b.cols() : b.rows()) != k || c.rows() != m || c.cols() != n)
         fail(Status::internal, "matrix product of %lldx%lld by inner size %lld",
              static_cast<long long>(m), static_cast<long long>(n), static_cast<long long>(k));
+    if (!tb && (n == kFew || n == kBlockOfVectors) && a.rows() >= a.cols() && a.size() > 0)
+        return multiply_block<Scalar>(context, alpha, a, op_a, b, beta, c);
     const auto& kernel = kernels<Scalar>();
     // Cut the longer side of C: a panel wide enough to keep the packed operand busy.
     const bool cut_rows = m >= n;
@@ -121,11 +166,21 @@ void gram_panels(const Context& context, const ConstRef& a, const WeightVector& 
         for (Index i = j + 1; i < n; ++i) c(j, i) = c(i, j);
 }
 
-// Rows of a thin product at a time: with 500 columns half of a second cache of 1 MiB.
+// Rows at a time of a thin product of rows.
 constexpr std::size_t kStrip = 256;
 // Of one with a single column, which is read in the order of the memory: the column stays in the
 // first cache.
 constexpr std::size_t kLongStrip = 3072;
+
+// Rows of a thin product at a time: about 900, whose pieces of a column are long enough for memory
+// to give them at its best (256 rows of 11,000 x 500 take twice the time), and a multiple of four
+// strips, so that threads have as much to do each.
+Index thin_strip(Index rows) {
+    constexpr Index kMost = 1024, kAtOnce = 4, kLanes = 16, kLeast = 64;
+    const Index strips = kAtOnce * ((rows + kAtOnce * kMost - 1) / (kAtOnce * kMost));
+    const Index even = (rows + strips - 1) / std::max<Index>(1, strips);
+    return std::max(kLeast, (even + kLanes - 1) / kLanes * kLanes);
+}
 
 void check_thin(const ConstMatrixRefF& a, const Field& field) {
     if (field.rows() != a.rows())
@@ -138,13 +193,12 @@ void check_thin(const ConstMatrixRefF& a, const Field& field) {
 class StripSums {
   public:
     explicit StripSums(const ConstMatrixRefF& a)
-        : parts_(a.cols(),
-                 3 * ((a.rows() + static_cast<Index>(kStrip) - 1) / static_cast<Index>(kStrip))) {}
+        : strip_(thin_strip(a.rows())), parts_(a.cols(), 3 * ((a.rows() + strip_ - 1) / strip_)) {}
     void project(const ConstMatrixRefF& a, const Field& field, Index first, Index count) {
         const Index k = a.cols();
-        kernels<float>().project_thin(
-            count, k, a.data() + first, a.outerStride(), field.data() + first, field.rows(),
-            parts_.data() + 3 * k * (first / static_cast<Index>(kStrip)), k);
+        kernels<float>().project_thin(count, k, a.data() + first, a.outerStride(),
+                                      field.data() + first, field.rows(),
+                                      parts_.data() + 3 * k * (first / strip_), k);
     }
     void add_up(Eigen::MatrixXf& out) const {
         out.setZero(parts_.rows(), 3);
@@ -152,12 +206,14 @@ class StripSums {
     }
 
   private:
+    Index strip_;
     Eigen::MatrixXf parts_;
 };
 
 template <typename Work>  // (first row, number of rows)
 void for_each_strip(const Context& context, Index rows, const Work& work) {
-    parallel_for(context, static_cast<std::size_t>(rows), kStrip,
+    parallel_for(context, static_cast<std::size_t>(rows),
+                 static_cast<std::size_t>(thin_strip(rows)),
                  [&](std::size_t begin, std::size_t end) {
                      work(static_cast<Index>(begin), static_cast<Index>(end - begin));
                  });

@@ -25,6 +25,8 @@ struct Kernels {
                           std::ptrdiff_t ld_out);
     Thin expand_thin;     ///< Y (m x 3) += A X for A (m x k), X (k x 3)
     Thin project_thin;    ///< X (k x 3) = A' Y
+    Thin expand_four;     ///< the same for four columns
+    Thin project_four;    ///< the same for four columns
     Thin expand_column;   ///< the same for one column
     Thin project_column;  ///< the same for one column
     /// below (m) += A right and right_sum (k) += A' left for A (m x k): both halves of a symmetric

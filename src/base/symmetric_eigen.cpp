@@ -65,23 +65,28 @@ SymmetricSpectrum::SymmetricSpectrum(Matrix& matrix, const char* what, const Con
 }
 
 Matrix SymmetricSpectrum::strongest(Index k, const Context& context) const {
-    if (k < 0 || k > values_.size())
-        fail(Status::internal, "%lld eigenvectors of %lld", static_cast<long long>(k),
+    return vectors(values_.size() - k, k, context);
+}
+
+Matrix SymmetricSpectrum::vectors(Index first, Index k, const Context& context) const {
+    if (k < 0 || first < 0 || first + k > values_.size())
+        fail(Status::internal, "%lld eigenvectors from number %lld of %lld",
+             static_cast<long long>(k), static_cast<long long>(first),
              static_cast<long long>(values_.size()));
-    if (!reduced_) return all_.rightCols(k);
-    Matrix vectors;
+    if (!reduced_) return all_.middleCols(first, k);
+    Matrix found;
     const Tridiagonal& t = reduced_->result();
-    if (tridiagonal_eigenvectors(t, values_.tail(k) / scale_, vectors, context)) {
-        orthonormalise(vectors, context);
+    if (tridiagonal_eigenvectors(t, values_.segment(first, k) / scale_, found, context)) {
+        orthonormalise(found, context);
     } else {
         // Values so close that inverse iteration cannot part them: the QR iteration can.
         Solver solver;
         solver.computeFromTridiagonal(t.diagonal, t.beside);
         check(solver, what_, values_.size());
-        vectors = solver.eigenvectors().rightCols(k);
+        found = solver.eigenvectors().middleCols(first, k);
     }
-    reduced_->turn_back(vectors, context);
-    return vectors;
+    reduced_->turn_back(found, context);
+    return found;
 }
 
 }  // namespace mien

@@ -26,6 +26,8 @@ class SymmetricSpectrum {
     const Vector& values() const { return values_; }  ///< n, ascending
     /// n x k, orthonormal: the vectors of the k largest values, ascending like these. 2 n^2 k.
     Matrix strongest(Index k, const Context& context) const;
+    /// The same of the values `first` to before first + k.
+    Matrix vectors(Index first, Index k, const Context& context) const;
 
   private:
     const char* what_;

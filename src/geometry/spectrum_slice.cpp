@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <Eigen/Eigenvalues>
 #include <numeric>
 #include <vector>
 
 #include "base/dense.hpp"
 #include "base/error.hpp"
+#include "base/symmetric_eigen.hpp"
 
 namespace mien {
 namespace {
@@ -74,16 +74,26 @@ class BlockLanczos {
         size_ += kSolveBlock;
     }
 
-    /// Ritz pairs of all but the newest block.
-    void ritz(Vector& values, Matrix& vectors, Vector& residuals) const {
-        const Index m = size_ - kSolveBlock;
-        Eigen::SelfAdjointEigenSolver<Matrix> solver(Matrix(projected_.topLeftCorner(m, m)));
-        if (solver.info() != Eigen::Success)
-            fail(Status::no_solution, "the projected eigenproblem near %.6g did not converge",
-                 factor_.shift());
-        values = solver.eigenvalues();
-        vectors = solver.eigenvectors();
-        residuals = (coupling_ * vectors.bottomRows(kSolveBlock)).colwise().norm().transpose();
+    /// The Ritz values theta = 1 / (lambda - shift) of the `below` eigenvalues nearest below the
+    /// shift and the `above` nearest above it, ascending in lambda, and their vectors in space().
+    /// False: some are not converged yet.
+    bool find_wanted(Index below, Index above, Vector& theta, Matrix& vectors) const {
+        const Index m = size_ - kSolveBlock;  // all but the newest block
+        if (below + above > m) return false;
+        Matrix reduced = projected_.topLeftCorner(m, m);
+        const SymmetricSpectrum spectrum(reduced, "a slice of the spectrum", serial_);
+        const Vector& all = spectrum.values();
+        if (below > 0 && !(all[below - 1] < 0)) return false;
+        if (above > 0 && !(all[m - above] > 0)) return false;
+        // The most negative is the nearest below, the largest the nearest above.
+        theta.resize(below + above);
+        theta << all.head(below).reverse(), all.tail(above).reverse();
+        vectors.resize(m, below + above);
+        vectors << spectrum.vectors(0, below, serial_).rowwise().reverse(),
+            spectrum.vectors(m - above, above, serial_).rowwise().reverse();
+        const Vector residuals =
+            (coupling_ * vectors.bottomRows(kSolveBlock)).colwise().norm().transpose();
+        return (residuals.array() <= kResidual * theta.array().abs()).all();
     }
 
     const Matrix& space() const { return space_; }
@@ -171,26 +181,6 @@ class BlockLanczos {
     Index size_ = 0;
 };
 
-/// Ritz indices of the wanted pairs, ascending in lambda, or empty when some are not converged yet.
-std::vector<Index> wanted_pairs(const Vector& theta, const Vector& residuals, Index below,
-                                Index above) {
-    // theta = 1 / (lambda - s), ascending: the most negative is the nearest below, the largest the
-    // nearest above.
-    std::vector<Index> chosen;
-    const Index m = theta.size();
-    if (below + above > m) return {};
-    for (Index i = 0; i < below; ++i) {
-        if (!(theta[i] < 0) || residuals[i] > kResidual * std::abs(theta[i])) return {};
-    }
-    for (Index i = 0; i < above; ++i) {
-        const Index j = m - 1 - i;
-        if (!(theta[j] > 0) || residuals[j] > kResidual * theta[j]) return {};
-    }
-    for (Index i = below; i-- > 0;) chosen.push_back(i);
-    for (Index i = 0; i < above; ++i) chosen.push_back(m - 1 - i);
-    return chosen;
-}
-
 }  // namespace
 
 void KernelProjector::remove(Eigen::Ref<Matrix> block) const {
@@ -214,10 +204,9 @@ SlicePairs slice_eigenpairs(const ShiftedFactor& factor, const KernelProjector& 
     context.require_memory(static_cast<std::size_t>(n) * (largest + wanted) * sizeof(double),
                            "a slice of the spectrum");
     BlockLanczos lanczos(factor, kernel, n, largest, seed, context);
-    Vector theta, residuals;
-    Matrix ritz;
+    Vector theta;
+    Matrix weights;
     Index next_look = first_look;
-    std::vector<Index> chosen;
     while (true) {
         if (lanczos.size() > largest)
             fail(Status::no_solution,
@@ -225,27 +214,19 @@ SlicePairs slice_eigenpairs(const ShiftedFactor& factor, const KernelProjector& 
                  factor.shift(), static_cast<long long>(wanted), static_cast<long long>(largest));
         lanczos.step();
         if (lanczos.size() - kSolveBlock < std::min(next_look, largest)) continue;
-        lanczos.ritz(theta, ritz, residuals);
-        chosen = wanted_pairs(theta, residuals, below, above);
-        if (static_cast<Index>(chosen.size()) == wanted) break;
+        if (lanczos.find_wanted(below, above, theta, weights)) break;
         next_look = lanczos.size() + 2 * kSolveBlock;
     }
 
-    const Index m = theta.size();
-    Matrix weights(m, wanted);
-    for (Index i = 0; i < wanted; ++i)
-        weights.col(i) = ritz.col(chosen[static_cast<std::size_t>(i)]);
     SlicePairs pairs;
     pairs.vectors.resize(n, wanted);
-    pairs.values.resize(wanted);
     pairs.num_below = below;
     Context serial;
     serial.cancel = context.cancel;
     serial.deadline = context.deadline;
-    dense::multiply(serial, 1.0, lanczos.space().leftCols(m), dense::Op::none, weights,
+    dense::multiply(serial, 1.0, lanczos.space().leftCols(weights.rows()), dense::Op::none, weights,
                     dense::Op::none, 0.0, pairs.vectors);
-    for (Index i = 0; i < wanted; ++i)
-        pairs.values[i] = factor.shift() + 1.0 / theta[chosen[static_cast<std::size_t>(i)]];
+    pairs.values = factor.shift() + theta.array().inverse();
     return pairs;
 }
 

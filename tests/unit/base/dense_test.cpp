@@ -68,6 +68,27 @@ TEST(Dense, SolvesPositiveDefiniteAndRefusesIndefinite) {
 }
 
 // 1003 rows and 42 columns: neither a whole number of strips, of packets nor of column groups.
+TEST(Dense, ProductsWithABlockOfVectorsAgreeWithPlainEigenOnBothInstructionSets) {
+    ThreadPool pool(3);
+    Context threads;
+    threads.pool = &pool;
+    const Matrix wide = waves<double>(4099, 50, 0.3);
+    const auto a = wide.middleCols(3, 41);
+    for (const bool portable : {true, false})
+        for (const Index columns : {4, 8}) {
+            dense::use_portable_loops(portable);
+            const Matrix x = waves<double>(41, columns, 0.7), y = waves<double>(4099, columns, 0.2);
+            Matrix expanded = y, projected = x, same = x;
+            dense::multiply({}, -2.0, a, dense::Op::none, x, dense::Op::none, 3.0, expanded);
+            EXPECT_LT((expanded - (3 * y - 2 * a * x)).cwiseAbs().maxCoeff(), 1e-11);
+            dense::multiply({}, 0.5, a, dense::Op::transpose, y, dense::Op::none, -1.0, projected);
+            EXPECT_LT((projected - (0.5 * a.transpose() * y - x)).cwiseAbs().maxCoeff(), 1e-10);
+            dense::multiply(threads, 0.5, a, dense::Op::transpose, y, dense::Op::none, -1.0, same);
+            EXPECT_TRUE((same.array() == projected.array()).all());
+        }
+    dense::use_portable_loops(false);
+}
+
 TEST(Dense, ThinProductsAgreeWithPlainEigenOnBothInstructionSets) {
     const Eigen::MatrixXf a = waves<float>(1003, 42, 0.3), x = waves<float>(42, 3, 0.7);
     const dense::Field given = waves<float>(1003, 3, 0.5);

@@ -39,6 +39,10 @@ void expect_eigenvectors(const Matrix& matrix, Index k) {
         1e-11 * size);
     EXPECT_LT((vectors.transpose() * vectors - Matrix::Identity(k, k)).cwiseAbs().maxCoeff(),
               1e-12);
+    const Matrix weakest = spectrum.vectors(0, k, {});
+    EXPECT_LT(
+        (matrix * weakest - weakest * spectrum.values().head(k).asDiagonal()).cwiseAbs().maxCoeff(),
+        1e-11 * size);
 }
 
 TEST(SymmetricEigen, RecoversSpreadValues) {

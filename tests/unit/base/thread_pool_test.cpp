@@ -26,6 +26,23 @@ TEST(ThreadPool, RunsEveryChunkOnce) {
     }
 }
 
+// A worker that wakes late finds the loop closed, or the next one open: it must take part in that
+// one alone, and nothing of a body may run once run() has returned.
+TEST(ThreadPool, ALateWorkerNeverTouchesALoopThatIsDone) {
+    ThreadPool pool(8);
+    for (int round = 0; round < 5000; ++round) {
+        std::vector<int> seen(2 + round % 3, 0);
+        std::atomic<bool> done{false}, late{false};
+        pool.run(seen.size(), [&](std::size_t chunk) {
+            if (done) late = true;
+            ++seen[chunk];
+        });
+        done = true;
+        ASSERT_FALSE(late);
+        for (const int count : seen) ASSERT_EQ(1, count);
+    }
+}
+
 TEST(ThreadPool, RethrowsAndStaysUsable) {
     ThreadPool pool(3);
     for (int round = 0; round < 20; ++round) {
