@@ -16,7 +16,8 @@ namespace mien {
 namespace {
 
 // A fit makes thousands of short loops: a worker that looks for the next one for this many turns
-// before it sleeps saves two calls of the system for most of them. Some 20 microseconds.
+// before it sleeps saves two calls of the system for most of them. A pause is some 20 to 140
+// cycles: 10 to 100 microseconds.
 constexpr int kTurnsBeforeSleep = 2000;
 
 inline void pause_a_moment() noexcept {
