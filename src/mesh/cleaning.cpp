@@ -160,7 +160,7 @@ void drop_small_components(const std::vector<std::array<std::uint32_t, 3>>& corn
 }
 
 void gather(const TriMesh& raw, const std::vector<std::array<std::uint32_t, 3>>& corners,
-            CleanedMesh& cleaned) {
+            const Context& context, CleanedMesh& cleaned) {
     const Index num_vertices = static_cast<Index>(cleaned.vertex_to_old.size());
     const Index num_triangles = static_cast<Index>(cleaned.triangle_to_old.size());
     const bool colors = raw.colors.rows() == raw.vertices.rows();
@@ -170,11 +170,15 @@ void gather(const TriMesh& raw, const std::vector<std::array<std::uint32_t, 3>>&
     TriMesh& mesh = cleaned.mesh;
     mesh.vertices.resize(num_vertices, 3);
     if (colors) mesh.colors.resize(num_vertices, 3);
-    for (Index v = 0; v < num_vertices; ++v) {
-        const Index old = static_cast<Index>(cleaned.vertex_to_old[static_cast<std::size_t>(v)]);
-        mesh.vertices.row(v) = raw.vertices.row(old);
-        if (colors) mesh.colors.row(v) = raw.colors.row(old);
-    }
+    const auto take_vertices = [&](std::size_t first, std::size_t last) {
+        for (Index v = static_cast<Index>(first); v < static_cast<Index>(last); ++v) {
+            const Index old =
+                static_cast<Index>(cleaned.vertex_to_old[static_cast<std::size_t>(v)]);
+            mesh.vertices.row(v) = raw.vertices.row(old);
+            if (colors) mesh.colors.row(v) = raw.colors.row(old);
+        }
+    };
+    parallel_for(context, cleaned.vertex_to_old.size(), kChunk, take_vertices);
     mesh.triangles.resize(num_triangles, 3);
     if (texture) {
         mesh.texture = raw.texture;
@@ -189,15 +193,18 @@ void gather(const TriMesh& raw, const std::vector<std::array<std::uint32_t, 3>>&
         mesh.images = raw.images;
     }
     if (materials) mesh.triangle_materials.resize(static_cast<std::size_t>(num_triangles));
-    for (Index t = 0; t < num_triangles; ++t) {
-        const std::size_t old = cleaned.triangle_to_old[static_cast<std::size_t>(t)];
-        for (int k = 0; k < 3; ++k)
-            mesh.triangles(t, k) = cleaned.vertex_to_new[corners[old][static_cast<std::size_t>(k)]];
-        if (materials)
-            mesh.triangle_materials[static_cast<std::size_t>(t)] = raw.triangle_materials[old];
-        if (texture)
-            mesh.texture_triangles.row(t) = raw.texture_triangles.row(static_cast<Index>(old));
-    }
+    const auto take_triangles = [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const Index t = static_cast<Index>(i);
+            const std::size_t old = cleaned.triangle_to_old[i];
+            for (std::size_t k = 0; k < 3; ++k)
+                mesh.triangles(t, static_cast<Index>(k)) = cleaned.vertex_to_new[corners[old][k]];
+            if (materials) mesh.triangle_materials[i] = raw.triangle_materials[old];
+            if (texture)
+                mesh.texture_triangles.row(t) = raw.texture_triangles.row(static_cast<Index>(old));
+        }
+    };
+    parallel_for(context, cleaned.triangle_to_old.size(), kChunk, take_triangles);
 }
 
 }  // namespace
@@ -255,7 +262,7 @@ CleanedMesh clean_mesh(const TriMesh& raw, const CleaningOptions& options, const
              "%lld are degenerate",
              num_vertices, static_cast<long long>(cleaned.num_not_finite), num_triangles,
              static_cast<long long>(cleaned.num_degenerate));
-    gather(raw, corners, cleaned);
+    gather(raw, corners, context, cleaned);
     return cleaned;
 }
 
