@@ -13,23 +13,6 @@
 
 namespace mien {
 
-namespace {
-
-// A fit makes thousands of short loops: a worker that looks for the next one for this many turns
-// before it sleeps saves two calls of the system for most of them. A pause is some 20 to 140
-// cycles: 10 to 100 microseconds.
-constexpr int kTurnsBeforeSleep = 2000;
-
-inline void pause_a_moment() noexcept {
-#if defined(__x86_64__) || defined(__i386__)
-    __builtin_ia32_pause();
-#elif defined(__aarch64__)
-    asm volatile("yield");
-#endif
-}
-
-}  // namespace
-
 struct ThreadPool::State {
     std::vector<std::thread> workers;
     std::mutex mutex;
@@ -42,11 +25,9 @@ struct ThreadPool::State {
     std::atomic<bool> failed{false};
     std::exception_ptr error;
     std::size_t error_chunk = std::numeric_limits<std::size_t>::max();
-    // Changed under the mutex only; read outside of it by those who look for a moment.
-    std::atomic<unsigned long> generation{0};
-    std::atomic<std::size_t> at_work{0};
-    std::size_t asleep = 0;
-    bool open = false;  // a worker may still join the loop
+    unsigned long generation = 0;
+    std::size_t at_work = 0;  // workers
+    bool open = false;        // a worker may still join: who wakes late holds nobody up
     bool stopping = false;
 
     void work() noexcept {
@@ -70,15 +51,11 @@ struct ThreadPool::State {
 
     void worker_loop() noexcept {
         unsigned long seen = 0;
+        std::unique_lock<std::mutex> lock(mutex);
         for (;;) {
-            for (int k = 0; k < kTurnsBeforeSleep && generation.load() == seen; ++k)
-                pause_a_moment();
-            std::unique_lock<std::mutex> lock(mutex);
-            ++asleep;
-            wake.wait(lock, [&] { return stopping || generation.load() != seen; });
-            --asleep;
+            wake.wait(lock, [&] { return stopping || generation != seen; });
             if (stopping) return;
-            seen = generation.load();
+            seen = generation;
             if (!open) continue;  // the others have done it
             ++at_work;
             lock.unlock();
@@ -86,17 +63,6 @@ struct ThreadPool::State {
             lock.lock();
             if (--at_work == 0) finished.notify_one();
         }
-    }
-
-    // Until no worker is at the loop; none joins it any more.
-    void close_loop() noexcept {
-        {
-            const std::lock_guard<std::mutex> lock(mutex);
-            open = false;
-        }
-        for (int k = 0; k < kTurnsBeforeSleep && at_work.load() != 0; ++k) pause_a_moment();
-        std::unique_lock<std::mutex> lock(mutex);
-        finished.wait(lock, [&] { return at_work.load() == 0; });
     }
 
     void stop() noexcept {
@@ -140,7 +106,6 @@ void ThreadPool::run(std::size_t num_chunks, const std::function<void(std::size_
         return;
     }
     State& state = *state_;
-    bool any_asleep;
     {
         const std::lock_guard<std::mutex> lock(state.mutex);
         state.body = &body;
@@ -152,13 +117,14 @@ void ThreadPool::run(std::size_t num_chunks, const std::function<void(std::size_
         state.error_chunk = std::numeric_limits<std::size_t>::max();
         state.open = true;
         ++state.generation;
-        any_asleep = state.asleep > 0;
     }
-    if (any_asleep) state.wake.notify_all();
+    state.wake.notify_all();
     inside_pool = true;
     state.work();
     inside_pool = false;
-    state.close_loop();
+    std::unique_lock<std::mutex> lock(state.mutex);
+    state.open = false;
+    state.finished.wait(lock, [&] { return state.at_work == 0; });
     if (state.error) std::rethrow_exception(std::exchange(state.error, nullptr));
 }
 
