@@ -27,8 +27,8 @@ endif()
 add_library(mien_flags INTERFACE)
 # Eigen keeps the blocks of a product on the stack up to this size, two at a time; its 128 kB end a thread of 256 kB.
 target_compile_definitions(mien_flags INTERFACE EIGEN_STACK_ALLOCATION_LIMIT=65536)
-# A fit spends its time in two rooms and in loops of others (mien_compile_hot), which are compiled at -O3; the rest is
-# as fast at -O2, a sixth smaller, and sooner compiled.
+# A fit spends its time in two rooms and in loops of others (mien_compile_hot), which are compiled at -O3; at -O2 the
+# rest is a sixth smaller and sooner compiled, and fits are not slower to be seen (tests/bench/README.md).
 string(REPLACE "-O3" "-O2" CMAKE_CXX_FLAGS_RELEASE "${CMAKE_CXX_FLAGS_RELEASE}")
 set(mien_hot_rooms spatial registration)
 # The same bits from every compiler that fuses multiplications by default (abi/README.md).

@@ -3,7 +3,8 @@
 # What reads hostile input runs once more in a second build with AddressSanitizer and UBSan: MIEN_TEST_SANITIZE=0
 # leaves that out, MIEN_TEST_SANITIZE=long adds every function with every wrong argument (some minutes more).
 # MIEN_TEST_TRAINING=0 leaves out libtorch, the trainer (mien-train) and its short tests.
-# MIEN_TEST_STYLE=0 leaves out what looks at the sources alone, =long adds clang-tidy over all files and two more builds.
+# MIEN_TEST_STYLE=0 leaves out what looks at the sources alone, =long adds GCC on each
+# file alone, clang-tidy over all files and two more builds.
 set -eu
 cd "$(dirname "$0")/.."
 

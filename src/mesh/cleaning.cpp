@@ -16,10 +16,10 @@ namespace {
 
 constexpr std::size_t kChunk = 8192;  // vertices or triangles at a time
 
-/// Triangles that do not stay.
-struct Left {
+/// How many triangles do not stay, by cause.
+struct NotKept {
     Index bad_index = 0, degenerate = 0;
-    void operator+=(const Left& other) {
+    void operator+=(const NotKept& other) {
         bad_index += other.bad_index;
         degenerate += other.degenerate;
     }
@@ -72,25 +72,25 @@ void join_corners(const TriMesh& raw, const CleaningOptions& options,
             triangle[k] = vertex < representative.size() ? representative[vertex] : kDropped;
             known = known && triangle[k] != kDropped;
         }
-        if (!known) return Left{1, 0};
+        if (!known) return NotKept{1, 0};
         if (triangle[0] == triangle[1] || triangle[1] == triangle[2] ||
             triangle[0] == triangle[2] ||
             (options.drop_zero_area && has_no_area(raw.vertices, triangle)))
-            return Left{0, 1};
-        return Left{0, 0};
+            return NotKept{0, 1};
+        return NotKept{0, 0};
     };
-    const Left left = parallel_sum<Left>(
-        context, corners.size(), kChunk, Left{}, [&](std::size_t begin, std::size_t end) {
-            Left sum;
+    const NotKept not_kept = parallel_sum<NotKept>(
+        context, corners.size(), kChunk, NotKept{}, [&](std::size_t begin, std::size_t end) {
+            NotKept sum;
             for (std::size_t t = begin; t < end; ++t) {
-                const Left one = join(t);
+                const NotKept one = join(t);
                 stays[t] = one.bad_index == 0 && one.degenerate == 0;
                 sum += one;
             }
             return sum;
         });
-    cleaned.num_bad_index += left.bad_index;
-    cleaned.num_degenerate += left.degenerate;
+    cleaned.num_bad_index += not_kept.bad_index;
+    cleaned.num_degenerate += not_kept.degenerate;
 }
 
 /// Marks all but the first of triangles with equal vertex sets.

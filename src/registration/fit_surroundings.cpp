@@ -12,7 +12,7 @@
 namespace mien {
 namespace {
 
-constexpr std::size_t kMeasured = 1024;  // vertices at a time
+constexpr std::size_t kVerticesAtOnce = 1024;
 
 // Distances to the face's own mirror image, laid over it. `partner`: each vertex' mirror image.
 Vector mirror_distance(const MeasuredFit& f, const std::vector<std::uint32_t>& partner,
@@ -82,10 +82,11 @@ Vector slide(const MeasuredFit& f) {
 // Calls look_at(vertex) on all threads.
 template <typename LookAt>
 void for_open_vertices(const MeasuredFit& f, const Context& context, LookAt&& look_at) {
-    parallel_for(context, f.prior.inner.size(), kMeasured, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k)
-            if (!f.prior.inner[k]) look_at(static_cast<Index>(k));
-    });
+    parallel_for(context, f.prior.inner.size(), kVerticesAtOnce,
+                 [&](std::size_t begin, std::size_t end) {
+                     for (std::size_t k = begin; k < end; ++k)
+                         if (!f.prior.inner[k]) look_at(static_cast<Index>(k));
+                 });
 }
 
 void measure_pins(const MeasuredFit& f, const ZoneMeasureSettings& settings, PlaceMeasures& out,

@@ -12,9 +12,9 @@ struct PlaceMeasures {
     Vector asymmetry_mm, shape2, slid_mm, pin_far_mm, pin_misfit_mm, color_hold, color_doubt;
 };
 
-/// `whole`: #V, 1 for the vertices of the face, which the mirrored face is laid over. What pins and
-/// colours say is 0 at inner vertices. O(V (P + F) + V K) for P landmarks, F colour features and K
-/// modes.
+/// `whole`: #V, 1 for the vertices of the face, which the mirrored face is laid over. Inner
+/// vertices are not asked about pins and colours: far_mm and zeros. O(V (P + F) + V K) for P
+/// landmarks, F colour features and K modes.
 PlaceMeasures measure_places(const MeasuredFit& finished, const std::vector<std::uint8_t>& whole,
                              const std::vector<ColorAgreement>& colors,
                              const ZoneMeasureSettings& settings, const Context& context);
