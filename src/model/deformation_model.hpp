@@ -14,6 +14,9 @@
 
 namespace mien {
 
+/// Of DeformationModel::info: pca_left_out_mm.
+inline constexpr const char* kLeftOutInfo = "pca_left_out_mm";
+
 /// Column-major float matrix that may lie in a mapped file.
 struct FloatMatrixView {
     const float* data = nullptr;
@@ -29,6 +32,9 @@ struct DeformationModel {
     Points mean_displacement;  ///< #V x 3 or empty (zero)
     FloatMatrixView
         pca_modes;  ///< 3#V x p (x0 y0 z0 x1 ...), scaled by their deviations; p may be 0
+    /// mm per axis: what the trained modes leave of people left out of the training
+    /// (point_distribution.hpp); 0: not known, as in older files.
+    double pca_left_out_mm = 0;
     /// r x 3 or empty (ones): a_j ~ N(0, diag(row j)). Only models built with a preference for
     /// mirror symmetry have it; treating it as ones is still a valid, less informed prior.
     Matrix prior_variance;

@@ -136,6 +136,8 @@ BuiltModel build_deformation_model(const TriMesh& template_mesh,
         info["pca_faces"] = std::to_string(faces.num_faces);
         info["pca_vertices"] = std::to_string(faces.num_vertices);
         info["pca_variance_explained"] = info_number(faces.variance_explained);
+        model->pca_left_out_mm = faces.left_out_mm;
+        if (faces.left_out_mm > 0) info[kLeftOutInfo] = info_number(faces.left_out_mm);
     }
     if (!options.kernels.empty()) {
         report = build_basis(template_mesh, options, context, *storage, *model);

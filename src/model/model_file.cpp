@@ -1,6 +1,7 @@
 // Deformation models as safetensors: the wide tensors first, then a filler so that the basis starts
 // on a 64-byte boundary of the file and of any page-aligned mapping.
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include "base/error.hpp"
@@ -102,6 +103,20 @@ void read_walls(const SafetensorsFile& file, DeformationModel& model) {
     model.walls_key = file.metadata(kWallsKey);
 }
 
+void read_left_out(DeformationModel& model) {
+    const auto found = model.info.find(kLeftOutInfo);
+    if (found == model.info.end()) return;
+    constexpr double kMost_mm = 1000;
+    const std::string& text = found->second;
+    double value = 0;
+    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (parsed.ec != std::errc() || parsed.ptr != text.data() + text.size() || !(value > 0) ||
+        !(value <= kMost_mm))
+        fail(Status::bad_format, "info '%s' is '%.40s', not a length in mm", kLeftOutInfo,
+             text.c_str());
+    model.pca_left_out_mm = value;
+}
+
 }  // namespace
 
 std::shared_ptr<const DeformationModel> load_deformation_model(
@@ -146,6 +161,7 @@ std::shared_ptr<const DeformationModel> read_deformation_model(const Safetensors
     for (const auto& [key, value] : file.metadata())
         if (key.compare(0, prefix.size(), prefix) == 0)
             model->info[key.substr(prefix.size())] = value;
+    read_left_out(*model);
     if (!file.warning().empty()) model->info[kFileWarning] = file.warning();
     model->storage = file.storage();
     return model;

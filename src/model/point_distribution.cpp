@@ -9,6 +9,7 @@
 
 #include "base/dense.hpp"
 #include "base/error.hpp"
+#include "base/symmetric_eigen.hpp"
 #include "geometry/alignment.hpp"
 #include "geometry/laplacian.hpp"
 
@@ -78,6 +79,7 @@ class Displacements {
           motion_(motions(faces, chosen_, mesh, align, context)) {}
 
     Index count() const { return static_cast<Index>(chosen_.size()); }
+    int subject(Index k) const { return faces_.subject(chosen_[static_cast<std::size_t>(k)]); }
     Index rows() const { return 3 * faces_.num_vertices(); }
 
     /// Computes the mean that slice() takes off, 3#V.
@@ -130,7 +132,76 @@ struct GramModes {
     Vector variances;     ///< the kept ones
     Matrix coefficients;  ///< faces x kept
     double kept_share = 0;
+    double left_out_mm = 0;  ///< as in PointDistribution
 };
+
+/// How many of the variances, descending, are kept of `count` faces; their sum goes to `kept`.
+Index num_kept(const Vector& variances, Index count, const PcaOptions& options, double& kept) {
+    const double total = variances.sum();
+    const Index most = options.num_modes > 0 ? std::min(options.num_modes, count - 1) : count - 1;
+    Index p = 0;
+    kept = 0;
+    while (p < most && variances[p] > 1e-12 * variances[0] &&
+           (options.num_modes > 0 || kept < options.variance * total))
+        kept += variances[p++];
+    return p;
+}
+
+/// Sum over the faces `out` of the squares that the principal modes of the faces `in` leave of
+/// them. `products`: of all faces' displacements about any one mean, faces x faces.
+double squares_left(const Matrix& products, const std::vector<Index>& in,
+                    const std::vector<Index>& out, const PcaOptions& options,
+                    const Context& context) {
+    Matrix inner = products(in, in), cross = products(out, in);
+    const Vector mean = inner.rowwise().mean(), cross_mean = cross.rowwise().mean();
+    const double level = mean.mean();
+    inner.colwise() -= mean;
+    inner.rowwise() -= mean.transpose();
+    inner.array() += level;
+    cross.colwise() -= cross_mean;
+    cross.rowwise() -= mean.transpose();
+    cross.array() += level;
+    double left = 0;
+    for (std::size_t k = 0; k < out.size(); ++k)
+        left += products(out[k], out[k]) - 2 * cross_mean[static_cast<Index>(k)] + level;
+    const SymmetricSpectrum spectrum(inner, "the principal modes of the faces", context);
+    const Vector variances = spectrum.values().reverse().cwiseMax(0.0);
+    double kept = 0;
+    const Index p = num_kept(variances, static_cast<Index>(in.size()), options, kept);
+    const Matrix vectors = spectrum.strongest(p, context);  // ascending
+    for (Index j = 0; j < p; ++j)
+        left -= (cross * vectors.col(p - 1 - j)).squaredNorm() / variances[j];
+    return std::max(0.0, left);
+}
+
+/// As PointDistribution::left_out_mm.
+double left_out_mm(const Displacements& displacements, const Matrix& products,
+                   const PcaOptions& options, const Context& context) {
+    constexpr std::size_t kFewest = 3, kFolds = 5;
+    constexpr Index kManyFaces = 1500;  // of more, one fold tells enough
+    std::vector<int> people;
+    for (Index k = 0; k < displacements.count(); ++k) people.push_back(displacements.subject(k));
+    std::sort(people.begin(), people.end());
+    people.erase(std::unique(people.begin(), people.end()), people.end());
+    if (people.size() < kFewest) return 0;
+    const std::size_t folds = std::min(kFolds, people.size());
+    double squares = 0, count = 0;
+    for (std::size_t fold = 0; fold < folds; ++fold) {
+        context.check_cancelled();
+        std::vector<Index> in, out;
+        for (Index k = 0; k < displacements.count(); ++k) {
+            const auto person =
+                std::lower_bound(people.begin(), people.end(), displacements.subject(k));
+            const bool left_out = static_cast<std::size_t>(person - people.begin()) % folds == fold;
+            (left_out ? out : in).push_back(k);
+        }
+        if (in.size() < 2) continue;
+        squares += squares_left(products, in, out, options, context);
+        count += static_cast<double>(out.size()) * static_cast<double>(displacements.rows());
+        if (displacements.count() > kManyFaces) break;
+    }
+    return count > 0 ? std::sqrt(squares / count) : 0;
+}
 
 GramModes solve_gram(const Displacements& displacements, const PcaOptions& options,
                      const Context& context) {
@@ -144,6 +215,8 @@ GramModes solve_gram(const Displacements& displacements, const PcaOptions& optio
                              Vector(), part);
         gram += part;
     }
+    GramModes modes;
+    modes.left_out_mm = left_out_mm(displacements, gram, options, context);
     gram /= static_cast<double>(s - 1);
     const Eigen::SelfAdjointEigenSolver<Matrix> solver(gram);
     if (solver.info() != Eigen::Success || !solver.eigenvalues().allFinite())
@@ -151,13 +224,8 @@ GramModes solve_gram(const Displacements& displacements, const PcaOptions& optio
     const Vector variances = solver.eigenvalues().reverse().cwiseMax(0.0);
     const double total = variances.sum();
     if (!(total > 0)) fail(Status::invalid_argument, "all faces of the dataset are the same");
-    Index p = 0;
     double kept = 0;
-    const Index most = options.num_modes > 0 ? std::min(options.num_modes, s - 1) : s - 1;
-    while (p < most && variances[p] > 1e-12 * variances[0] &&
-           (options.num_modes > 0 || kept < options.variance * total))
-        kept += variances[p++];
-    GramModes modes;
+    const Index p = num_kept(variances, s, options, kept);
     modes.variances = variances.head(p);
     modes.coefficients = solver.eigenvectors().rowwise().reverse().leftCols(p) /
                          std::sqrt(static_cast<double>(s - 1));
@@ -249,6 +317,7 @@ PointDistribution train_point_distribution(const FaceDataset& faces, const TriMe
     result.num_vertices = nd;
     result.variances = principal.variances;
     result.variance_explained = principal.kept_share;
+    result.left_out_mm = principal.left_out_mm;
     const Matrix known = mean_and_modes(displacements, mean, principal.coefficients, context);
     const Matrix all = extend_smoothly(template_mesh, known, options.extension_mm, context);
     const Index n = template_mesh.vertices.rows(), p = principal.variances.size();

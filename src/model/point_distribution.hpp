@@ -29,6 +29,10 @@ struct PointDistribution {
         modes;         ///< 3#V x p, each of the length of its deviation; largest entry positive
     Vector variances;  ///< p, sample variances (divisor faces - 1), mm^2
     double variance_explained = 0;
+    /// mm per axis: root mean square of what the modes of the other people leave of people left
+    /// out, a fifth at a time; 0 for fewer than three people. What a new person will not be told
+    /// by.
+    double left_out_mm = 0;
     Index num_faces = 0;
     Index num_vertices = 0;  ///< that the faces cover
 };

@@ -158,6 +158,7 @@ std::shared_ptr<const DeformationModel> condition_model(
     result->landmarks = model.landmarks;
     result->zones = model.zones;
     result->info = model.info;
+    result->info.erase(kLeftOutInfo);  // of what the landmarks now tell
     result->info["posterior_landmarks"] = std::to_string(observations.size());
     const Matrix full = model.basis.map().cast<double>();
     Points mean =

@@ -85,8 +85,8 @@ VertexMeasures measure_vertices(const MeasuredFit& f, const ZoneMeasureSettings&
         v.open_mm[i] = std::abs(normal.dot(hit.point - modes.row(i).transpose()));
         v.turn[i] = 1 - normal.dot(normals.row(i).transpose());
     }
-    v.stretch2 = squared_stretch(f.model.template_mesh.vertices, f.places, triangles, whole,
-                                 settings.most_stretch);
+    const Points rest = f.model.template_mesh.vertices + expected_opening(f.model, f.fit.state);
+    v.stretch2 = squared_stretch(rest, f.places, triangles, whole, settings.most_stretch);
     return v;
 }
 
@@ -169,8 +169,7 @@ WholeMeasures measure_whole(const MeasuredFit& f, double landmark_sigma_mm) {
     if (used + out > 0) whole.landmarks_out = out / (used + out);
     whole.trained_deviation = root_mean_square(state.coefficients.pca);
     if (state.coefficients.kernel.size() > 0)
-        whole.kernel_deviation =
-            root_mean_square(state.coefficients.kernel) / state.kernel_amplitude;
+        whole.kernel_deviation = root_mean_square(state.kernel_off()) / state.kernel_amplitude;
     whole.kernel_mm =
         state.kernel_amplitude * kernel_deviation_mm(f.model, state.coefficients.kernel.rows());
     whole.size = std::abs(std::log(spread(f.places) / spread(f.model.template_mesh.vertices)));

@@ -25,6 +25,12 @@ struct FitState {
     double kernel_amplitude = 1;  ///< factor on the kernel's standard deviation
     Points displacement;          ///< #V x 3, model frame; empty before the first fit
     Points places;                ///< #V x 3, scan frame; empty before the first fit
+
+    /// How far the kernel's coefficients are from those that the prior expects.
+    Eigen::MatrixXf kernel_off() const {
+        if (kernel_mean.rows() == 0) return coefficients.kernel;
+        return coefficients.kernel - kernel_mean.topRows(coefficients.kernel.rows());
+    }
 };
 
 /// What a fit goes by. Borrowed: all must outlive the fit.

@@ -47,6 +47,7 @@ Vector squared_shape(const MeasuredFit& f, Index shape_modes) {
     const Index n = f.places.rows();
     if (state.displacement.rows() != n) return Vector::Zero(n);
     const Points& mean = f.model.mean_displacement;
+    const Points opening = expected_opening(f.model, state);
     const Index r = std::min<Index>(state.coefficients.kernel.rows(), shape_modes);
     Eigen::VectorXf kernel = Eigen::VectorXf::Zero(n), trained = Eigen::VectorXf::Zero(3 * n);
     for (Index j = 0; j < r; ++j) kernel += f.model.basis.map().col(j).cwiseAbs2();
@@ -55,7 +56,7 @@ Vector squared_shape(const MeasuredFit& f, Index shape_modes) {
     const double amplitude2 = state.kernel_amplitude * state.kernel_amplitude;
     Vector shape2 = Vector::Zero(n);
     for (Index i = 0; i < n; ++i) {
-        Vector3 moved = state.displacement.row(i).transpose();
+        Vector3 moved = (state.displacement.row(i) - opening.row(i)).transpose();
         if (mean.rows() == n) moved -= mean.row(i).transpose();
         const double variance = 3 * amplitude2 * static_cast<double>(kernel[i]) +
                                 static_cast<double>(trained.segment(3 * i, 3).sum());
@@ -132,6 +133,13 @@ void measure_colors(const MeasuredFit& f, const std::vector<ColorAgreement>& col
 }
 
 }  // namespace
+
+Points expected_opening(const DeformationModel& model, const FitState& state) {
+    if (state.kernel_mean.rows() == 0) return Points::Zero(model.num_vertices(), 3);
+    const Eigen::MatrixXf opening =
+        model.basis.map().leftCols(state.kernel_mean.rows()) * state.kernel_mean;
+    return opening.cast<double>();
+}
 
 PlaceMeasures measure_places(const MeasuredFit& finished, const std::vector<std::uint8_t>& whole,
                              const std::vector<ColorAgreement>& colors,

@@ -12,6 +12,10 @@ struct PlaceMeasures {
     Vector asymmetry_mm, shape2, slid_mm, pin_far_mm, pin_misfit_mm, color_hold, color_doubt;
 };
 
+/// Displacement that the prior expects of the kernel (an open jaw; zeros else), #V x 3, model
+/// frame. Not of trained modes. O(V K) where it is not zero.
+Points expected_opening(const DeformationModel& model, const FitState& state);
+
 /// `whole`: #V, 1 for the vertices of the face, which the mirrored face is laid over. Inner
 /// vertices are not asked about pins and colours: far_mm and zeros. O(V (P + F) + V K) for P
 /// landmarks, F colour features and K modes.

@@ -37,10 +37,13 @@ PriorState choose_prior(const DeformationModel& model, const PriorSettings& sett
     prior.kernel_amplitude = prior.amplitude_given ? settings.kernel_amplitude : 1;
     if (prior.pca_modes > 0 && prior.scalar_modes > 0) {
         prior.scalar_modes = std::min(prior.scalar_modes, settings.max_residual_modes);
-        if (!prior.amplitude_given)
-            prior.kernel_amplitude =
-                settings.residual_sd_mm /
-                std::max(kernel_deviation_mm(model, prior.scalar_modes), kNoDeviation_mm);
+        const double kernel_mm =
+            std::max(kernel_deviation_mm(model, prior.scalar_modes), kNoDeviation_mm);
+        // Of few people much is left out: no more than the kernel alone would do.
+        const double left_mm = model.pca_left_out_mm > 0
+                                   ? std::min(model.pca_left_out_mm, kernel_mm)
+                                   : settings.residual_sd_mm;
+        if (!prior.amplitude_given) prior.kernel_amplitude = left_mm / kernel_mm;
     }
     prior.freedom.pca_amplitude = settings.pca_amplitude;
     prior.freedom.move = settings.estimate_motion;

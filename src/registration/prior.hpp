@@ -2,8 +2,9 @@
 // model and the settings alone, so one prior serves any number of fits.
 //
 // Kernel modes and trained modes share the work: trained modes know faces, and leave to the kernel
-// what their training people did not span, some tenths of a millimetre (residual_sd_mm). Without
-// trained modes the kernel carries all, at an amplitude that landmarks choose (pin_evidence.hpp).
+// what their training people did not span: what the model's training left of people left out
+// (DeformationModel::pca_left_out_mm). Without trained modes the kernel carries all, at an
+// amplitude that landmarks choose (pin_evidence.hpp).
 #pragma once
 
 #include "registration/fit_state.hpp"
@@ -22,12 +23,8 @@ struct PriorSettings {
     /// Whether the motion may scale: 1, 0, or -1: only for models without trained modes, which know
     /// sizes. [A]
     int estimate_scale = -1;
-    bool weigh_trained = true;       ///< landmarks may speak against the trained modes [T] "Two
-                                     ///< priors, weighed"
-    double clearly = 18;             ///< >= 0: by how much the kernel's cost (pin_prior.hpp) must
-                                     ///< be lower [T]
     double residual_sd_mm = 0.7;     ///< mm, > 0: what trained modes leave to the kernel, when its
-                                     ///< amplitude is automatic [A]
+                                     ///< amplitude is automatic and the model does not say [A]
     Index max_residual_modes = 250;  ///< >= 0: the scalar modes spent on it [A]
 };
 

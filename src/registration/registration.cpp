@@ -1,5 +1,6 @@
 #include "registration/registration.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -7,6 +8,7 @@
 #include "mesh/length_unit.hpp"
 #include "registration/output.hpp"
 #include "registration/ready_scan.hpp"
+#include "registration/trained_span.hpp"
 
 namespace mien {
 namespace {
@@ -16,20 +18,51 @@ struct BeginAndFit {
     FitOutcome fit;
 };
 
-// Trained modes know the family of their training people. On a face outside of it they are worse
-// than the kernel that knows nothing, and its landmarks tell: whichever prior makes them likelier
-// by far is the one to fit by.
-bool landmarks_prefer_kernel(const DeformationModel& model, const PriorState& prior,
-                             const StartState& start, const RegistrationSettings& settings,
-                             const Context& context) {
-    if (!settings.prior.weigh_trained || prior.pca_modes == 0 || prior.amplitude_given ||
-        model.basis.cols == 0 || !start.pin_factors.weighed)
-        return false;
-    std::vector<Pin> pins = start.pins;
-    for (Pin& pin : pins) pin.sigma_mm = settings.start.landmark_sigma_mm;  // as stated
-    const PinFactors alone =
-        weigh_pins(model, pins, start.motion, 1, 0, settings.start.pin_prior, context);
-    return alone.weighed && alone.cost + settings.prior.clearly < start.pin_factors.cost;
+const char* const kOutside =
+    "the face is outside of what the trained modes span: fitted by the kernel alone";
+
+// The start anew after a fit, by another prior; a pose that was searched is kept.
+StartState start_again(const DeformationModel& model, const PreparedScan& scan,
+                       const PriorState& prior, const std::vector<LandmarkPoint>& landmarks,
+                       const RegistrationSettings& settings, const StartState& before,
+                       const Context& quiet) {
+    StartSettings again = settings.start;
+    if (before.searched) {
+        again.kind = StartKind::pose;
+        again.pose = before.motion;
+    }
+    StartState start = find_start(model, scan, prior, landmarks, again, settings.fit.loop, quiet);
+    start.searched = before.searched;
+    start.search_score = before.search_score;
+    return start;
+}
+
+// By the kernel alone, where that leaves clearly less of the surface open than the finished fit by
+// trained modes does.
+void leave_trained_modes_out(const DeformationModel& model, const PreparedScan& scan,
+                             const std::vector<LandmarkPoint>& landmarks,
+                             const RegistrationSettings& settings, PriorState& prior,
+                             BeginAndFit& done, const Context& context) {
+    if (!done.start.is_free() || !may_weigh_trained(model, prior, settings.span)) return;
+    const auto open_mm = [&](const BeginAndFit& fitted, const PriorState& by) {
+        return open_surface_mm(model, by, fitted.start, fitted.fit, settings.fit.loop.match,
+                               settings.span, context);
+    };
+    const double trained_mm = open_mm(done, prior);
+    if (!(trained_mm > settings.span.least_open_mm)) return;
+    Context quiet = context;
+    quiet.progress_function = nullptr;
+    const PriorState alone = kernel_alone(model, prior, settings.prior);
+    BeginAndFit by_kernel{start_again(model, scan, alone, landmarks, settings, done.start, quiet),
+                          {}};
+    by_kernel.fit = fit_surface(model, alone, by_kernel.start, settings.fit, quiet);
+    const double kernel_mm = open_mm(by_kernel, alone);
+    context.log(LogLevel::debug, "trained modes leave %.3f mm open, the kernel alone %.3f mm",
+                trained_mm, kernel_mm);
+    if (!(kernel_mm < settings.span.kernel_share * trained_mm)) return;
+    by_kernel.start.notes.push_back(std::string("by its shape ") + kOutside);
+    prior = alone;
+    done = std::move(by_kernel);
 }
 
 // The features that led the finished fit astray are left out, and all begins anew without them; a
@@ -48,15 +81,12 @@ bool leave_lying_colors_out(const DeformationModel& model, const PreparedScan& s
     Context quiet = context;
     quiet.progress_function = nullptr;
     if (done.start.is_free()) {
-        StartSettings again = settings.start;
-        if (done.start.searched) {
-            again.kind = StartKind::pose;
-            again.pose = done.start.motion;
-        }
-        StartState start = find_start(model, scan, prior, landmarks, again, loop, quiet);
-        start.searched = done.start.searched;
-        start.search_score = done.start.search_score;
-        done.start = std::move(start);
+        std::vector<std::string> notes = done.start.notes;
+        done.start = start_again(model, scan, prior, landmarks, settings, done.start, quiet);
+        for (std::string& note : notes)
+            if (std::find(done.start.notes.begin(), done.start.notes.end(), note) ==
+                done.start.notes.end())
+                done.start.notes.push_back(std::move(note));
     }
     done.start.colors_left_out = lying;
     done.fit = fit_surface(model, prior, done.start, settings.fit, quiet);
@@ -74,14 +104,14 @@ RegistrationResult register_prepared(const DeformationModel& model, const Prepar
     const LoopSettings& loop = settings.fit.loop;
     BeginAndFit done{find_start(model, scan, prior, landmarks, settings.start, loop, context), {}};
     PriorState settled = prior;
-    if (landmarks_prefer_kernel(model, prior, done.start, settings, context)) {
+    if (landmarks_prefer_kernel(model, prior, done.start, settings.start.landmark_sigma_mm,
+                                settings.start.pin_prior, settings.span, context)) {
         settled = kernel_alone(model, prior, settings.prior);
         done.start = find_start(model, scan, settled, landmarks, settings.start, loop, context);
-        done.start.notes.emplace_back(
-            "by its landmarks the face is outside of what the trained modes span: fitted by the "
-            "kernel alone");
+        done.start.notes.push_back(std::string("by its landmarks ") + kOutside);
     }
     done.fit = fit_surface(model, settled, done.start, settings.fit, context);
+    leave_trained_modes_out(model, scan, landmarks, settings, settled, done, context);
     leave_lying_colors_out(model, scan, landmarks, settings, settled, done, context);
     const StartState& start = done.start;
     const FitOutcome& fit = done.fit;

@@ -14,6 +14,7 @@
 #include "registration/gap.hpp"
 #include "registration/inner_parts.hpp"
 #include "registration/landmark_frame.hpp"
+#include "registration/trained_span.hpp"
 #include "registration/verdict.hpp"
 
 namespace mien {
@@ -32,6 +33,7 @@ struct RegistrationSettings {
     FarScanSettings far;
     LandmarkFrameSettings frame;
     PriorSettings prior;
+    TrainedSpanSettings span;
     ColorFeatureSettings colors;
     InnerSettings inner;
     StartSettings start;

@@ -45,9 +45,9 @@ double mean_deviation(const FitState& state) {
     if (c.pca.size() > 0)
         deviation = std::sqrt(c.pca.squaredNorm() / static_cast<double>(c.pca.size()));
     if (c.kernel.size() > 0)
-        deviation = std::max<double>(
-            deviation, std::sqrt(c.kernel.squaredNorm() / static_cast<double>(c.kernel.size())) /
-                           state.kernel_amplitude);
+        deviation = std::max<double>(deviation, std::sqrt(state.kernel_off().squaredNorm() /
+                                                          static_cast<double>(c.kernel.size())) /
+                                                    state.kernel_amplitude);
     return deviation;
 }
 

@@ -16,6 +16,7 @@ EXPRESSIONS = ("neutral", "neutral", "neutral", "smile", "grin", "mouth_stretch"
 TROUBLES = ("none", "none", "none", "none", "turned", "noisy", "wide", "crop", "half", "no lower", "no upper", "mask", "glasses",
             "hand", "brows drawn", "make-up", "side light", "grey", "no colours")
 MARKS = ("68", "68", "68 noisy", "68 mouth off", "12", "8 noisy", "4", "none", "none", "none", "none", "none")
+UNLIKE = .5                                    # share of people whom no linear model holds
 NO_FACES = ("ball", "egg", "nape", "wall", "hand-like")
 
 
@@ -64,6 +65,27 @@ class Population:
         noise[spike] += rng.choice([-1, 1], spike.sum()) * rng.uniform(3, 25, spike.sum())
         rgb = np.clip(rgb + 2.5 * rng.standard_normal((len(rgb), 1)), 0, 255)
         return clean + ray * noise[:, None], faces, rgb, truth, (d < .5) & facing
+
+
+def unlike(case, rng):
+    """Another person: the head (frontal, mm) bent by a smooth random field, as real people differ from what a linear model spans.
+    Returns the field's deviation in mm."""
+    deviation, length = rng.uniform(.5, 3.5), rng.uniform(22, 70)
+    waves, phase = rng.normal(0, 1 / length, (200, 3)), rng.uniform(0, 2 * np.pi, 200)
+    weight = rng.normal(0, deviation / 10, (200, 3))         # 200 cosines of mean square 1/2
+    lopsided = rng.choice([0, .3, 1], p=[.4, .4, .2])
+    middle = case["truth"].mean(0)
+
+    def field(p):
+        return np.cos((p - middle) @ waves.T + phase) @ weight
+
+    def bend(p):
+        flip = np.array([-1., 1, 1])
+        even = .5 * (field(p) + flip * field(middle + flip * (p - middle)))
+        return p + np.sqrt(2 - lopsided) * even + lopsided * (field(p) - even)
+
+    case.update(points=bend(case["points"]), truth=bend(case["truth"]))
+    return deviation
 
 
 def smooth(x):
@@ -242,6 +264,7 @@ def cases_of(population, seed, number, work, per_scan):
         kind = TROUBLES[rng.integers(len(TROUBLES))]
         marks = MARKS[rng.integers(len(MARKS))]
         case = {"points": points.copy(), "faces": faces, "rgb": rgb.copy(), "truth": truth.copy(), "visible": visible}
+        away = unlike(case, rng) if rng.random() < UNLIKE else 0.
         case = move(trouble(case, kind, population, rng), population, kind, rng)
-        case.update(expression=expression, level=level, marks=given_marks(marks, population, case["truth"], rng))
+        case.update(expression=expression, level=level, unlike=away, marks=given_marks(marks, population, case["truth"], rng))
         yield f"c{k}", kind, marks, case

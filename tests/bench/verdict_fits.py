@@ -64,7 +64,7 @@ def fit_all(a):
                 continue
             row = fit_one(a, population, populations, case, model, marks, work)
             row.update(key=f"{key}-{label}", population=name, trouble=kind, marks=marks, model=model,
-                       expression=case.get("expression"), level=case.get("level"))
+                       expression=case.get("expression"), level=case.get("level"), unlike=case.get("unlike"))
             print(json.dumps(row), file=out, flush=True)
         print(json.dumps({"key": f"{key}-end"}), file=out, flush=True)
 

@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
+#include <random>
 
 #include "base/error.hpp"
 #include "base/thread_pool.hpp"
@@ -328,6 +330,76 @@ TEST(PointDistribution, RecoversTheShapesThatMadeTheFaces) {
     EXPECT_NEAR(modes.col(0).squaredNorm(), pca.variances[0], 1e-3 * pca.variances[0]);
     options.all_expressions = true;
     EXPECT_GE(train_point_distribution(faces, mesh, options, {}).modes.cols(), 3);
+}
+
+// Faces of six people, two each, off the template by random steps of 1 mm on top of a smooth shape;
+// `also` people's faces alone when it is not empty.
+FaceDataset noisy_people(const TriMesh& mesh, const std::vector<int>& also, const char* name) {
+    FaceDatasetWriter writer(mesh.triangles, mesh.vertices.rows(), {"neutral", "smile"});
+    std::mt19937 random(5);
+    for (int person = 0; person < 6; ++person)
+        for (int expression = 0; expression < 2; ++expression) {
+            Points face = mesh.vertices;
+            face.col(2) += (person - 2.0) * (mesh.vertices.col(0) / 20).array().sin().matrix();
+            for (Index i = 0; i < face.size(); ++i)
+                face.data()[i] += random() / 4294967296.0 < 0.5 ? -1 : 1;
+            if (also.empty() || std::find(also.begin(), also.end(), person) != also.end())
+                writer.add(face, person, expression);
+        }
+    const std::string path = testing::TempDir() + name;
+    writer.save(path, {});
+    return FaceDataset::open(path, {}, {});
+}
+
+// The modes of the others, as if they had been trained alone, and what these leave.
+double left_by_others(const TriMesh& mesh, const FaceDataset& all, int person,
+                      const PcaOptions& options) {
+    std::vector<int> others;
+    for (int k = 0; k < 6; ++k)
+        if (k != person) others.push_back(k);
+    const PointDistribution pca = train_point_distribution(
+        noisy_people(mesh, others, "others.safetensors"), mesh, options, {});
+    const Matrix modes = pca.modes.cast<double>();
+    double squares = 0;
+    Points face;
+    for (Index k = 0; k < all.num_faces(); ++k) {
+        if (all.subject(k) != person) continue;
+        all.face(k, face);
+        const Points off = face - mesh.vertices - pca.mean;
+        const Vector y = Eigen::Map<const Vector>(off.data(), off.size());
+        squares += (y - modes * (modes.transpose() * modes).ldlt().solve(modes.transpose() * y))
+                       .squaredNorm();
+    }
+    return squares;
+}
+
+TEST(PointDistribution, LeftOutIsWhatModesOfTheOtherPeopleLeave) {
+    const TriMesh mesh = bumpy_sheet(14);
+    const FaceDataset faces = noisy_people(mesh, {}, "people.safetensors");
+    PcaOptions options;
+    options.num_modes = 3;
+    // Folds of five: the first and the sixth person are left out together.
+    double squares = 0;
+    for (int person = 1; person < 5; ++person)
+        squares += left_by_others(mesh, faces, person, options);
+    const double coordinates = static_cast<double>(3 * mesh.vertices.rows());
+    const double four = std::sqrt(squares / (8 * coordinates));
+    const double left_mm = train_point_distribution(faces, mesh, options, {}).left_out_mm;
+    EXPECT_NEAR(left_mm, four, 0.05);  // the steps of a millimetre, which nobody foretells
+    EXPECT_GT(left_mm, 0.95);
+    EXPECT_LT(left_mm, 1.3);
+    // Within what they were trained on the modes leave less: it is people who are left out.
+    options.num_modes = 11;
+    EXPECT_GT(train_point_distribution(faces, mesh, options, {}).left_out_mm, 0.95);
+}
+
+TEST(PointDistribution, OfTwoPeopleNobodyCanBeLeftOut) {
+    const TriMesh mesh = bumpy_sheet(10);
+    const FaceDataset faces = noisy_people(mesh, {0, 4}, "two.safetensors");
+    EXPECT_EQ(train_point_distribution(faces, mesh, {}, {}).left_out_mm, 0);
+    ModelOptions options = options_of(KernelKind::geodesic_se, 20, 90);
+    options.pca_faces = &faces;
+    EXPECT_EQ(build(mesh, options).model->info.count("pca_left_out_mm"), 0u);
 }
 
 TEST(PointDistribution, PartialFacesAreContinuedSmoothly) {

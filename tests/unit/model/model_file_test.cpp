@@ -54,6 +54,8 @@ TEST(ModelFile, KeepsEveryBit) {
     EXPECT_EQ(loaded->pca_modes.map(), model->pca_modes.map());
     EXPECT_EQ(loaded->prior_variance, model->prior_variance);
     EXPECT_EQ(loaded->info, model->info);
+    EXPECT_GT(model->pca_left_out_mm, 0);
+    EXPECT_EQ(loaded->pca_left_out_mm, model->pca_left_out_mm);
     ASSERT_EQ(loaded->landmarks.size(), 2u);
     EXPECT_EQ(loaded->landmarks[1].name, "chin");
     EXPECT_EQ(loaded->landmarks[1].vertex, 3u);
@@ -122,6 +124,26 @@ TEST(ModelFile, DamageIsATypedError) {
     EXPECT_EQ(status_of(other), Status::corrupt);
     EXPECT_EQ(status_of(other, trusting), Status::bad_format);
     EXPECT_NE(status_of(good.substr(0, good.size() - 64), trusting), Status::ok);
+}
+
+TEST(ModelFile, AForgedLengthLeftOutIsRefused) {
+    const BuiltModel built = full_model();
+    const std::string path = temporary("left_out.safetensors");
+    for (const char* forged : {"", "-1", "0", "nan", "inf", "1e9", "0.8 mm", "0x1"}) {
+        DeformationModel model = *built.model;
+        model.info[kLeftOutInfo] = forged;
+        save_deformation_model(path, model, {});
+        try {
+            load_deformation_model(path, {}, {});
+            ADD_FAILURE() << forged;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.status(), Status::bad_format) << forged;
+        }
+    }
+    DeformationModel older = *built.model;
+    older.info.erase(kLeftOutInfo);
+    save_deformation_model(path, older, {});
+    EXPECT_EQ(load_deformation_model(path, {}, {})->pca_left_out_mm, 0);
 }
 
 TEST(Tuning, FindsTheSigmaThatMadeTheFaces) {

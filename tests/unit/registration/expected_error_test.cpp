@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <random>
 
+#include "registration/fit_surroundings.hpp"
 #include "registration/registration.hpp"
 #include "small_face.hpp"
 
@@ -168,24 +169,31 @@ TEST(Verdict, ADoubtfulPoseOfABadFitHasFailed) {
     }
 }
 
-// Trained modes once won on faces of another family, three times as far off as the kernel alone.
-TEST(Priors, LandmarksSpeakAgainstTrainedModesThatDoNotSpanTheFace) {
-    const SmallFace face = small_face();
-    DeformationModel model = face.model;
+// The model with one trained mode that moves vertex i to the front by front_mm(i).
+template <typename Front>
+DeformationModel with_trained_mode(const DeformationModel& kernel, Front&& front_mm) {
+    DeformationModel model = kernel;
     const Index n = model.num_vertices();
     struct Modes {
         std::shared_ptr<const void> kernel;
         Eigen::MatrixXf trained;
     };
     auto modes = std::make_shared<Modes>(Modes{model.storage, Eigen::MatrixXf::Zero(3 * n, 1)});
-    for (Index i = 0; i < n; ++i) modes->trained(3 * i + 2, 0) = 0.5f;  // all to the front
+    for (Index i = 0; i < n; ++i) modes->trained(3 * i + 2, 0) = front_mm(i);
     model.pca_modes = {modes->trained.data(), 3 * n, 1};
     model.storage = modes;
+    return model;
+}
+
+// Trained modes once won on faces of another family, three times as far off as the kernel alone.
+TEST(Priors, LandmarksSpeakAgainstTrainedModesThatDoNotSpanTheFace) {
+    const SmallFace face = small_face();
+    const DeformationModel model = with_trained_mode(face.model, [](Index) { return 0.5f; });
     const TriMesh scan = scan_of(face, Similarity());
     const auto landmarks = landmarks_of(face, Similarity());
     const RegistrationResult weighed = register_scan(model, scan, landmarks, {}, {});
     RegistrationSettings settings;
-    settings.prior.weigh_trained = false;
+    settings.span.weigh = false;
     const RegistrationResult trusting = register_scan(model, scan, landmarks, settings, {});
     settings.prior.max_pca_modes = 0;
     const RegistrationResult kernel = register_scan(model, scan, landmarks, settings, {});
@@ -193,6 +201,72 @@ TEST(Priors, LandmarksSpeakAgainstTrainedModesThatDoNotSpanTheFace) {
     EXPECT_EQ(trusting.verdict.whole.is_trained, 1);
     EXPECT_EQ(weighed.fitted.vertices, kernel.fitted.vertices);
     EXPECT_FALSE(weighed.verdict.notes.empty());
+}
+
+// Without landmarks they once kept the fit to themselves: 4 mm off and "good" on a real face.
+TEST(Priors, TheSurfaceSpeaksAgainstTrainedModesThatDoNotSpanTheFace) {
+    const SmallFace face = small_face();
+    const DeformationModel model = with_trained_mode(face.model, [](Index) { return 0.5f; });
+    const TriMesh scan = scan_of(face, Similarity());
+    RegistrationSettings settings;
+    settings.start.kind = StartKind::pose;
+    const RegistrationResult weighed = register_scan(model, scan, {}, settings, {});
+    settings.span.weigh = false;
+    const RegistrationResult trusting = register_scan(model, scan, {}, settings, {});
+    settings.prior.max_pca_modes = 0;
+    const RegistrationResult kernel = register_scan(model, scan, {}, settings, {});
+    EXPECT_EQ(weighed.verdict.whole.is_trained, 0);
+    EXPECT_EQ(trusting.verdict.whole.is_trained, 1);
+    EXPECT_EQ(weighed.fitted.vertices, kernel.fitted.vertices);
+    EXPECT_FALSE(weighed.verdict.notes.empty());
+}
+
+// A face that the trained modes do span is theirs.
+TEST(Priors, TrainedModesThatSpanTheFaceAreKept) {
+    SmallFace face = small_face();
+    const Points& rest = face.model.template_mesh.vertices;
+    const DeformationModel model = with_trained_mode(
+        face.model, [&](Index i) { return static_cast<float>(4 * std::sin(rest(i, 1) / 30)); });
+    face.truth = rest;
+    face.truth.col(2) += 4 * (rest.col(1) / 30).array().sin().matrix();
+    RegistrationSettings settings;
+    settings.start.kind = StartKind::pose;
+    const RegistrationResult result =
+        register_scan(model, scan_of(face, Similarity()), {}, settings, {});
+    EXPECT_EQ(result.verdict.whole.is_trained, 1);
+    EXPECT_LT((result.fitted.vertices - face.truth).rowwise().norm().mean(), 1);
+}
+
+// What people left out of the training taught of the modes is what the kernel is given beside them.
+TEST(Priors, TheKernelMakesUpForWhatTrainedModesLeaveOfOtherPeople) {
+    DeformationModel model = with_trained_mode(small_face().model, [](Index) { return 0.5f; });
+    const double kernel_mm = kernel_deviation_mm(model, model.basis.cols);
+    const auto beside = [&](double left_mm) {
+        model.pca_left_out_mm = left_mm;
+        return kernel_mm * choose_prior(model, {}, {}, {}, {}).kernel_amplitude;
+    };
+    EXPECT_NEAR(beside(0), PriorSettings().residual_sd_mm, 1e-9);
+    EXPECT_NEAR(beside(1.25), 1.25, 1e-9);
+    EXPECT_NEAR(beside(1000), kernel_mm, 1e-9);  // no more than it would do alone
+}
+
+// Open mouths once counted as far-fetched shapes, although the prior had been told to expect them.
+TEST(Measures, AnExpectedOpeningIsNoDeviation) {
+    FitState state;
+    state.coefficients.kernel = Eigen::MatrixXf::Random(9, 3);
+    EXPECT_EQ(state.kernel_off(), state.coefficients.kernel);
+    state.kernel_mean = Eigen::MatrixXf::Zero(12, 3);
+    state.kernel_mean.topRows(9) = state.coefficients.kernel;
+    EXPECT_EQ(state.kernel_off().norm(), 0);
+    const SmallFace face = small_face();
+    EXPECT_EQ(expected_opening(face.model, FitState()).norm(), 0);
+    FitState open;
+    open.kernel_mean = Eigen::MatrixXf::Zero(face.model.basis.cols, 3);
+    open.kernel_mean(3, 1) = 2;
+    const Points opening = expected_opening(face.model, open);
+    EXPECT_NEAR((opening.col(1) - 2 * face.model.basis.map().col(3).cast<double>()).norm(), 0,
+                1e-5);
+    EXPECT_EQ(opening.col(0).norm() + opening.col(2).norm(), 0);
 }
 
 }  // namespace
