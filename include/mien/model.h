@@ -76,10 +76,11 @@ typedef struct mien_model_options {
     double heat_time_factor; /**< heat time in units of (mean edge)^2, 0.01 to 10000, default 4 */
     int32_t heat_boundary;   /**< MIEN_HEAT_..., default NEUMANN */
     int32_t pca_modes;       /**< default 0: as many as pca_variance asks for */
-    const char*
-        pca_dataset;     /**< UTF-8 path of a dataset of registered faces, or null: adds their mean
-                              and principal modes; the kernel then stands for what they leave over */
-    double pca_variance; /**< share of the faces' variance kept, 0 to 1, default 0.999 */
+    const char* pca_dataset; /**< UTF-8 path of a dataset of registered faces, or null: adds their
+                                mean and principal modes; the kernel then stands for what they leave
+                                over: of three people or more, for what they leave of people left
+                                out (info pca_left_out_mm of the model's JSON) */
+    double pca_variance;     /**< share of the faces' variance kept, 0 to 1, default 0.999 */
     int32_t pca_all_expressions; /**< 1 (default): all faces, 0: neutral ones */
     int32_t pca_align; /**< 1: move each face rigidly onto the template first; default 0 */
     mien_array_view

@@ -57,7 +57,9 @@ typedef struct mien_register_options {
         skin_weights;  /**< 1: weigh scan vertices by the probability of skin colour; default 0 */
     int32_t close_gap; /**< 1 (default): a smooth field closes what the modes leave open */
     int32_t max_scalar_modes; /**< of the model's kernel modes; default -1: all */
-    int32_t max_pca_modes;    /**< of the model's trained modes; default -1: all */
+    int32_t max_pca_modes;    /**< of the model's trained modes; default -1: all. Left out where the
+                                 landmarks, or without them what the fit leaves of the surface, say
+                                 that the face is outside of what they span (a note tells) */
     int32_t iterations;       /**< 1 to 10000; default 0: as many as the library thinks right */
     int32_t reject_border;    /**< 1 (default): places on the scan's open border do not pull */
     double sigma_start_mm;    /**< noise level of a surface point in the first round; default 3 */

@@ -90,6 +90,9 @@ void print_info(const nlohmann::json& info) {
     std::printf("modes               %d deformation modes (%d scalar), %d trained on faces\n",
                 info["deformation_modes"].get<int>(), info["scalar_modes"].get<int>(),
                 info["pca_modes"].get<int>());
+    if (const auto left = info["info"].find("pca_left_out_mm"); left != info["info"].end())
+        std::printf("people left out     %.2f mm per axis are beyond what the trained modes span\n",
+                    left->get<double>());
     std::printf("variance explained  %s\n", text("variance_explained").c_str());
     std::printf("largest error       %s of the variance at one vertex\n",
                 text("max_variance_error").c_str());

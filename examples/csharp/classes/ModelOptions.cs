@@ -67,7 +67,8 @@ namespace Mien
         /// <summary>default 0: as many as pca_variance asks for</summary>
         public int PcaModes { get; set; }
         /// <summary>UTF-8 path of a dataset of registered faces, or null: adds their mean and principal modes; the kernel then
-        /// stands for what they leave over</summary>
+        /// stands for what they leave over: of three people or more, for what they leave of people left out (info
+        /// pca_left_out_mm of the model's JSON)</summary>
         public string PcaDataset { get; set; }
         /// <summary>share of the faces' variance kept, 0 to 1, default 0.999</summary>
         public double PcaVariance { get; set; }

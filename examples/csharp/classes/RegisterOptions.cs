@@ -58,7 +58,8 @@ namespace Mien
         public int CloseGap { get; set; }
         /// <summary>of the model's kernel modes; default -1: all</summary>
         public int MaxScalarModes { get; set; }
-        /// <summary>of the model's trained modes; default -1: all</summary>
+        /// <summary>of the model's trained modes; default -1: all. Left out where the landmarks, or without them what the fit leaves
+        /// of the surface, say that the face is outside of what they span (a note tells)</summary>
         public int MaxPcaModes { get; set; }
         /// <summary>1 to 10000; default 0: as many as the library thinks right</summary>
         public int Iterations { get; set; }

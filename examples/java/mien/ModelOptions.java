@@ -162,7 +162,8 @@ public final class ModelOptions implements Record_ {
 
     /**
      * UTF-8 path of a dataset of registered faces, or null: adds their mean and principal modes; the kernel then
-     * stands for what they leave over
+     * stands for what they leave over: of three people or more, for what they leave of people left out (info
+     * pca_left_out_mm of the model's JSON)
      */
     public ModelOptions pcaDataset(String value) {
         pcaDataset = value;

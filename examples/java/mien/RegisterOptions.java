@@ -122,7 +122,10 @@ public final class RegisterOptions implements Record_ {
     }
     public int maxScalarModes() { return maxScalarModes; }
 
-    /** of the model's trained modes; default -1: all */
+    /**
+     * of the model's trained modes; default -1: all. Left out where the landmarks, or without them what the fit
+     * leaves of the surface, say that the face is outside of what they span (a note tells)
+     */
     public RegisterOptions maxPcaModes(int value) {
         maxPcaModes = value;
         return this;

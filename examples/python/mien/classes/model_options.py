@@ -52,7 +52,8 @@ class ModelOptions(_Options):
     #: default 0: as many as pca_variance asks for
     pca_modes: int
     #: UTF-8 path of a dataset of registered faces, or null: adds their mean and principal modes; the kernel then
-    #: stands for what they leave over
+    #: stands for what they leave over: of three people or more, for what they leave of people left out (info
+    #: pca_left_out_mm of the model's JSON)
     pca_dataset: Text | None
     #: share of the faces' variance kept, 0 to 1, default 0.999
     pca_variance: float

@@ -38,7 +38,8 @@ class RegisterOptions(_Options):
     close_gap: int
     #: of the model's kernel modes; default -1: all
     max_scalar_modes: int
-    #: of the model's trained modes; default -1: all
+    #: of the model's trained modes; default -1: all. Left out where the landmarks, or without them what the fit
+    #: leaves of the surface, say that the face is outside of what they span (a note tells)
     max_pca_modes: int
     #: 1 to 10000; default 0: as many as the library thinks right
     iterations: int
