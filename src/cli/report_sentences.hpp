@@ -267,6 +267,14 @@ inline constexpr ReportText kSentences[] = {
       "aufspannen: nur mit dem Kern angepasst",
       "d'après ses repères, le visage est hors de ce que couvrent les modes appris : ajusté par le "
       "noyau seul"}},
+    {"by its surface the face is outside of what the trained modes span: fitted by the kernel "
+     "alone",
+     {"by its surface the face is outside of what the trained modes span: fitted by the kernel "
+      "alone",
+      "nach seiner Oberfläche liegt das Gesicht außerhalb dessen, was die trainierten Moden "
+      "aufspannen: nur mit dem Kern angepasst",
+      "d'après sa surface, le visage est hors de ce que couvrent les modes appris : ajusté par le "
+      "noyau seul"}},
     {"*: is the same face as *, so nothing has changed; is one file there twice?",
      {"{0}: is the same face as {1}, so nothing has changed; is one file there twice?",
       "{0}: ist dasselbe Gesicht wie {1}, also hat sich nichts verändert; liegt eine Datei doppelt "

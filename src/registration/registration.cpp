@@ -18,9 +18,6 @@ struct BeginAndFit {
     FitOutcome fit;
 };
 
-const char* const kOutside =
-    "the face is outside of what the trained modes span: fitted by the kernel alone";
-
 // The start anew after a fit, by another prior; a pose that was searched is kept.
 StartState start_again(const DeformationModel& model, const PreparedScan& scan,
                        const PriorState& prior, const std::vector<LandmarkPoint>& landmarks,
@@ -60,7 +57,9 @@ void leave_trained_modes_out(const DeformationModel& model, const PreparedScan& 
     context.log(LogLevel::debug, "trained modes leave %.3f mm open, the kernel alone %.3f mm",
                 trained_mm, kernel_mm);
     if (!(kernel_mm < settings.span.kernel_share * trained_mm)) return;
-    by_kernel.start.notes.push_back(std::string("by its shape ") + kOutside);
+    by_kernel.start.notes.emplace_back(
+        "by its surface the face is outside of what the trained modes span: fitted by the kernel "
+        "alone");
     prior = alone;
     done = std::move(by_kernel);
 }
@@ -108,7 +107,9 @@ RegistrationResult register_prepared(const DeformationModel& model, const Prepar
                                 settings.start.pin_prior, settings.span, context)) {
         settled = kernel_alone(model, prior, settings.prior);
         done.start = find_start(model, scan, settled, landmarks, settings.start, loop, context);
-        done.start.notes.push_back(std::string("by its landmarks ") + kOutside);
+        done.start.notes.emplace_back(
+            "by its landmarks the face is outside of what the trained modes span: fitted by the "
+            "kernel alone");
     }
     done.fit = fit_surface(model, settled, done.start, settings.fit, context);
     leave_trained_modes_out(model, scan, landmarks, settings, settled, done, context);

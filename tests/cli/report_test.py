@@ -114,6 +114,23 @@ class Records(unittest.TestCase):
         for zone in self.told("fits", "--fitted", "--zones", self.base / "demo/zones.json"):
             self.assertEqual(zone, by_name[zone["name"]])
 
+    def test_a_last_visit_that_is_not_good_stands_before_all_numbers(self):
+        doubted = self.base / "doubted"
+        doubted.mkdir(exist_ok=True)
+        shutil.copy(self.base / "kept/a.safetensors", doubted)
+        picked = json.loads((self.base / "demo/scan/landmarks_grin.json").read_text())
+        for name, place in picked["points"].items():
+            place[1] += 14 if name.startswith("mouth") else 0
+        (self.base / "off.json").write_text(json.dumps(picked))
+        self.must("register", "--model", self.base / "face.safetensors", "--scan", self.base / "demo/scan/scan_grin.ply", "--landmarks",
+                  self.base / "off.json", "--out", self.base / "off.ply", "--json", self.base / "off_fit.json", "--record",
+                  doubted / "b.safetensors")
+        self.assertEqual(json.loads((self.base / "off_fit.json").read_text())["quality"], "doubtful")
+        self.told("doubted", "--fitted")
+        page = (self.base / "page.html").read_text("utf-8")
+        self.assertIn("<strong>b: fit doubtful", page)
+        self.assertLess(page.index("<strong>b: fit doubtful"), page.index("<li>"))
+
     def test_walls_and_skin_that_nobody_saw_are_measured_when_asked(self):
         def mouth(*more):
             self.told("kept", "--fitted", *more)
