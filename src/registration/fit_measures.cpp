@@ -59,7 +59,8 @@ Vector squared_stretch(const Points& rest, const Points& places, const Triangles
     return squares.cwiseQuotient(count.cwiseMax(1.0));
 }
 
-VertexMeasures measure_vertices(const MeasuredFit& f, const ZoneMeasureSettings& settings,
+VertexMeasures measure_vertices(const MeasuredFit& f, const Points& opening,
+                                const ZoneMeasureSettings& settings,
                                 const std::vector<std::uint8_t>& whole) {
     const Index n = f.places.rows();
     const Triangles& triangles = f.model.template_mesh.triangles;
@@ -85,7 +86,7 @@ VertexMeasures measure_vertices(const MeasuredFit& f, const ZoneMeasureSettings&
         v.open_mm[i] = std::abs(normal.dot(hit.point - modes.row(i).transpose()));
         v.turn[i] = 1 - normal.dot(normals.row(i).transpose());
     }
-    const Points rest = f.model.template_mesh.vertices + expected_opening(f.model, f.fit.state);
+    const Points rest = f.model.template_mesh.vertices + opening;
     v.stretch2 = squared_stretch(rest, f.places, triangles, whole, settings.most_stretch);
     return v;
 }
@@ -188,8 +189,9 @@ std::vector<ZoneMeasures> measure_zones(const MeasuredFit& finished,
     const std::vector<std::uint8_t> whole =
         face != nullptr ? members_of(*face, n)
                         : std::vector<std::uint8_t>(static_cast<std::size_t>(n), 1);
-    VertexMeasures vertices = measure_vertices(finished, settings, whole);
-    vertices.around = measure_places(finished, whole, colors, settings, context);
+    const Points opening = expected_opening(finished.model, finished.fit.state);
+    VertexMeasures vertices = measure_vertices(finished, opening, settings, whole);
+    vertices.around = measure_places(finished, opening, whole, colors, settings, context);
     std::vector<ZoneMeasures> zones{
         measure_zone(finished, vertices, kWhole, whole, settings.most_share)};
     for (const Zone& zone : finished.model.zones)

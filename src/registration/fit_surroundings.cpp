@@ -42,12 +42,11 @@ Vector asymmetry(const MeasuredFit& f, const std::vector<std::uint8_t>& whole,
 }
 
 // Squared displacements over the prior's variances. `shape_modes`: the kernel's that count.
-Vector squared_shape(const MeasuredFit& f, Index shape_modes) {
+Vector squared_shape(const MeasuredFit& f, const Points& opening, Index shape_modes) {
     const FitState& state = f.fit.state;
     const Index n = f.places.rows();
     if (state.displacement.rows() != n) return Vector::Zero(n);
     const Points& mean = f.model.mean_displacement;
-    const Points opening = expected_opening(f.model, state);
     const Index r = std::min<Index>(state.coefficients.kernel.rows(), shape_modes);
     Eigen::VectorXf kernel = Eigen::VectorXf::Zero(n), trained = Eigen::VectorXf::Zero(3 * n);
     for (Index j = 0; j < r; ++j) kernel += f.model.basis.map().col(j).cwiseAbs2();
@@ -141,12 +140,13 @@ Points expected_opening(const DeformationModel& model, const FitState& state) {
     return opening.cast<double>();
 }
 
-PlaceMeasures measure_places(const MeasuredFit& finished, const std::vector<std::uint8_t>& whole,
+PlaceMeasures measure_places(const MeasuredFit& finished, const Points& opening,
+                             const std::vector<std::uint8_t>& whole,
                              const std::vector<ColorAgreement>& colors,
                              const ZoneMeasureSettings& settings, const Context& context) {
     PlaceMeasures out;
     out.asymmetry_mm = asymmetry(finished, whole, context);
-    out.shape2 = squared_shape(finished, settings.shape_modes);
+    out.shape2 = squared_shape(finished, opening, settings.shape_modes);
     out.slid_mm = slide(finished);
     measure_pins(finished, settings, out, context);
     measure_colors(finished, colors, settings, out, context);

@@ -16,10 +16,11 @@ struct PlaceMeasures {
 /// frame. Not of trained modes. O(V K) where it is not zero.
 Points expected_opening(const DeformationModel& model, const FitState& state);
 
-/// `whole`: #V, 1 for the vertices of the face, which the mirrored face is laid over. Inner
-/// vertices are not asked about pins and colours: far_mm and zeros. O(V (P + F) + V K) for P
-/// landmarks, F colour features and K modes.
-PlaceMeasures measure_places(const MeasuredFit& finished, const std::vector<std::uint8_t>& whole,
+/// `opening`: expected_opening(). `whole`: #V, 1 for the vertices of the face, which the mirrored
+/// face is laid over. Inner vertices are not asked about pins and colours: far_mm and zeros. O(V (P
+/// + F) + V K) for P landmarks, F colour features and K modes.
+PlaceMeasures measure_places(const MeasuredFit& finished, const Points& opening,
+                             const std::vector<std::uint8_t>& whole,
                              const std::vector<ColorAgreement>& colors,
                              const ZoneMeasureSettings& settings, const Context& context);
 

@@ -127,8 +127,7 @@ class JawSearch {
     }
 
     double off_mean(const JawTrial& trial) const {
-        Eigen::MatrixXf off = trial.state.coefficients.kernel;
-        if (trial.opening_rad > 0) off -= trial.state.kernel_mean;
+        const Eigen::MatrixXf off = trial.state.kernel_off();
         return product(off, off) / (trial.state.kernel_amplitude * trial.state.kernel_amplitude);
     }
 

@@ -18,7 +18,8 @@ struct BeginAndFit {
     FitOutcome fit;
 };
 
-// The start anew after a fit, by another prior; a pose that was searched is kept.
+// The start anew after a fit, by another prior; a pose that was searched is kept, and what was
+// noted.
 StartState start_again(const DeformationModel& model, const PreparedScan& scan,
                        const PriorState& prior, const std::vector<LandmarkPoint>& landmarks,
                        const RegistrationSettings& settings, const StartState& before,
@@ -31,6 +32,9 @@ StartState start_again(const DeformationModel& model, const PreparedScan& scan,
     StartState start = find_start(model, scan, prior, landmarks, again, settings.fit.loop, quiet);
     start.searched = before.searched;
     start.search_score = before.search_score;
+    for (const std::string& note : before.notes)
+        if (std::find(start.notes.begin(), start.notes.end(), note) == start.notes.end())
+            start.notes.push_back(note);
     return start;
 }
 
@@ -41,27 +45,26 @@ void leave_trained_modes_out(const DeformationModel& model, const PreparedScan& 
                              const RegistrationSettings& settings, PriorState& prior,
                              BeginAndFit& done, const Context& context) {
     if (!done.start.is_free() || !may_weigh_trained(model, prior, settings.span)) return;
-    const auto open_mm = [&](const BeginAndFit& fitted, const PriorState& by) {
-        return open_surface_mm(model, by, fitted.start, fitted.fit, settings.fit.loop.match,
-                               settings.span, context);
+    const auto open = [&](const BeginAndFit& fitted, const PriorState& by) {
+        return open_surface(model, by, fitted.start, fitted.fit, settings.fit.loop.match,
+                            settings.span, context);
     };
-    const double trained_mm = open_mm(done, prior);
-    if (!(trained_mm > settings.span.least_open_mm)) return;
+    const OpenSurface by_trained = open(done, prior);
+    if (!(by_trained.middle_mm > settings.span.least_open_mm)) return;
     Context quiet = context;
     quiet.progress_function = nullptr;
     const PriorState alone = kernel_alone(model, prior, settings.prior);
-    BeginAndFit by_kernel{start_again(model, scan, alone, landmarks, settings, done.start, quiet),
-                          {}};
-    by_kernel.fit = fit_surface(model, alone, by_kernel.start, settings.fit, quiet);
-    const double kernel_mm = open_mm(by_kernel, alone);
+    BeginAndFit anew{start_again(model, scan, alone, landmarks, settings, done.start, quiet), {}};
+    anew.fit = fit_surface(model, alone, anew.start, settings.fit, quiet);
+    const OpenSurface by_kernel = open(anew, alone);
     context.log(LogLevel::debug, "trained modes leave %.3f mm open, the kernel alone %.3f mm",
-                trained_mm, kernel_mm);
-    if (!(kernel_mm < settings.span.kernel_share * trained_mm)) return;
-    by_kernel.start.notes.emplace_back(
+                by_trained.middle_mm, by_kernel.middle_mm);
+    if (!surface_prefers_kernel(by_trained, by_kernel, settings.span)) return;
+    anew.start.notes.emplace_back(
         "by its surface the face is outside of what the trained modes span: fitted by the kernel "
         "alone");
     prior = alone;
-    done = std::move(by_kernel);
+    done = std::move(anew);
 }
 
 // The features that led the finished fit astray are left out, and all begins anew without them; a
@@ -79,14 +82,8 @@ bool leave_lying_colors_out(const DeformationModel& model, const PreparedScan& s
     prior.colors = prior.colors.without(lying);
     Context quiet = context;
     quiet.progress_function = nullptr;
-    if (done.start.is_free()) {
-        std::vector<std::string> notes = done.start.notes;
+    if (done.start.is_free())
         done.start = start_again(model, scan, prior, landmarks, settings, done.start, quiet);
-        for (std::string& note : notes)
-            if (std::find(done.start.notes.begin(), done.start.notes.end(), note) ==
-                done.start.notes.end())
-                done.start.notes.push_back(std::move(note));
-    }
     done.start.colors_left_out = lying;
     done.fit = fit_surface(model, prior, done.start, settings.fit, quiet);
     return true;

@@ -48,6 +48,7 @@ void check_settings(const RegistrationSettings& s) {
              Number{"pca_amplitude", s.prior.pca_amplitude, 0, kHuge, true},
              Number{"least_open_mm", s.span.least_open_mm, 0, kHuge, false},
              Number{"kernel_share", s.span.kernel_share, 0, 1, false},
+             Number{"least_seen", s.span.least_seen, 0, 1, false},
              Number{"kernel_amplitude", s.prior.kernel_amplitude, 0, kHuge, false},
              Number{"max_angle_deg", loop.match.max_angle_deg, 0, kHuge, true},
              Number{"soft_mm", loop.match.soft_mm, 0, kHuge, false},

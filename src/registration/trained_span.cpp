@@ -1,21 +1,22 @@
 #include "registration/trained_span.hpp"
 
-#include <algorithm>
 #include <cmath>
 
+#include "base/median.hpp"
 #include "geometry/normals.hpp"
 #include "model/landmarks.hpp"
 
 namespace mien {
+
 bool may_weigh_trained(const DeformationModel& model, const PriorState& prior,
                        const TrainedSpanSettings& settings) {
     return settings.weigh && prior.pca_modes > 0 && !prior.amplitude_given && model.basis.cols > 0;
 }
 
-double open_surface_mm(const DeformationModel& model, const PriorState& prior,
-                       const StartState& start, const FitOutcome& fit,
-                       const CorrespondenceSettings& match, const TrainedSpanSettings& settings,
-                       const Context& context) {
+OpenSurface open_surface(const DeformationModel& model, const PriorState& prior,
+                         const StartState& start, const FitOutcome& fit,
+                         const CorrespondenceSettings& match, const TrainedSpanSettings& settings,
+                         const Context& context) {
     const Points& places = fit.state.places;
     Correspondences found;
     find_correspondences(start.scan, places, vertex_normals(places, model.template_mesh.triangles),
@@ -32,10 +33,16 @@ double open_surface_mm(const DeformationModel& model, const PriorState& prior,
         for (const std::uint32_t v : face->vertices) look_at(static_cast<Index>(v));
     else
         for (Index i = 0; i < places.rows(); ++i) look_at(i);
-    if (open_mm.empty()) return 0;
-    const auto middle = open_mm.begin() + static_cast<std::ptrdiff_t>(open_mm.size() / 2);
-    std::nth_element(open_mm.begin(), middle, open_mm.end());
-    return *middle;
+    if (open_mm.empty()) return {};
+    const Index seen = static_cast<Index>(open_mm.size());
+    return {median(std::move(open_mm)), seen};
+}
+
+bool surface_prefers_kernel(const OpenSurface& trained, const OpenSurface& kernel,
+                            const TrainedSpanSettings& settings) {
+    return static_cast<double>(kernel.seen) >=
+               settings.least_seen * static_cast<double>(trained.seen) &&
+           kernel.middle_mm < settings.kernel_share * trained.middle_mm;
 }
 
 bool landmarks_prefer_kernel(const DeformationModel& model, const PriorState& prior,

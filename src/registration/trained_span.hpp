@@ -15,7 +15,16 @@ struct TrainedSpanSettings {
     /// mm, >= 0: a fit without landmarks that leaves no more open is not doubted, and the kernel
     /// alone must leave less than this share of it, 0 to 1. [T] "Two priors, weighed"
     double least_open_mm = 0.27, kernel_share = 0.65;
+    double least_seen = 0.9;  ///< 0 to 1: of the places that the trained fit sees, the kernel's
+                              ///< must see so many: one that lost the scan leaves nothing open [J]
     double least_weight = 0.3;  ///< 0 to 1: places of less weight do not tell of the surface [J]
+};
+
+/// Of the open skin of the face that sees the scan, along the scan's normals.
+struct OpenSurface {
+    double middle_mm = 0;  ///< median of what the modes left; 0 of none. A median: a mask, hair or
+                           ///< a hand is not the person's shape
+    Index seen = 0;        ///< vertices
 };
 
 /// Whether the landmarks of `start` are likelier by far under the kernel alone.
@@ -24,15 +33,17 @@ bool landmarks_prefer_kernel(const DeformationModel& model, const PriorState& pr
                              const PinPriorSettings& pins, const TrainedSpanSettings& settings,
                              const Context& context);
 
-/// What a fit without landmarks leaves open: the middle, over the open skin of the face that sees
-/// the scan, of its distance along the scan's normal, mm. A middle: a mask, hair or a hand is not
-/// the person's shape.
-double open_surface_mm(const DeformationModel& model, const PriorState& prior,
-                       const StartState& start, const FitOutcome& fit,
-                       const CorrespondenceSettings& match, const TrainedSpanSettings& settings,
-                       const Context& context);
+/// What a fit's modes leave open. O(#V log F).
+OpenSurface open_surface(const DeformationModel& model, const PriorState& prior,
+                         const StartState& start, const FitOutcome& fit,
+                         const CorrespondenceSettings& match, const TrainedSpanSettings& settings,
+                         const Context& context);
 
-/// Whether the trained modes may be asked at all: there are some, and nobody settled it.
+/// Whether the kernel's fit leaves clearly less of as much surface open.
+bool surface_prefers_kernel(const OpenSurface& trained, const OpenSurface& kernel,
+                            const TrainedSpanSettings& settings);
+
+/// Whether there is a choice between trained modes and kernel that the host did not make.
 bool may_weigh_trained(const DeformationModel& model, const PriorState& prior,
                        const TrainedSpanSettings& settings);
 

@@ -218,7 +218,36 @@ TEST(Priors, TheSurfaceSpeaksAgainstTrainedModesThatDoNotSpanTheFace) {
     EXPECT_EQ(weighed.verdict.whole.is_trained, 0);
     EXPECT_EQ(trusting.verdict.whole.is_trained, 1);
     EXPECT_EQ(weighed.fitted.vertices, kernel.fitted.vertices);
-    EXPECT_FALSE(weighed.verdict.notes.empty());
+    const auto& notes = weighed.verdict.notes;
+    EXPECT_EQ(std::count_if(notes.begin(), notes.end(),
+                            [](const std::string& note) {
+                                return note.find("by its surface") != std::string::npos;
+                            }),
+              1);
+}
+
+// Nothing is left open by a fit that sees nothing of the scan.
+TEST(Priors, AKernelThatLosesTheScanIsNotPreferred) {
+    const TrainedSpanSettings settings;
+    EXPECT_TRUE(surface_prefers_kernel({0.5, 1000}, {0.2, 950}, settings));
+    EXPECT_FALSE(surface_prefers_kernel({0.5, 1000}, {0.4, 1000}, settings));
+    EXPECT_FALSE(surface_prefers_kernel({0.5, 1000}, {0.2, 600}, settings));
+    EXPECT_FALSE(surface_prefers_kernel({0.5, 1000}, {}, settings));
+    const SmallFace face = small_face();
+    const TriMesh mesh = scan_of(face, Similarity());
+    const PreparedScan scan = prepare_scan(mesh, {}, {});
+    const PriorState prior = choose_prior(face.model, {}, {}, {}, {});
+    StartSettings posed;
+    posed.kind = StartKind::pose;
+    const StartState start = find_start(face.model, scan, prior, {}, posed, {}, {});
+    FitOutcome fit;
+    const auto open_when_moved = [&](double away_mm) {
+        fit.state.places = face.truth.rowwise() + Eigen::RowVector3d(0, 0, away_mm);
+        return open_surface(face.model, prior, start, fit, {}, settings, {});
+    };
+    EXPECT_GT(open_when_moved(0).seen, face.truth.rows() / 2);
+    EXPECT_LT(open_when_moved(0).middle_mm, 0.05);
+    EXPECT_EQ(open_when_moved(1000).seen, 0);
 }
 
 // A face that the trained modes do span is theirs.
