@@ -1,12 +1,12 @@
 // Deformation models as safetensors: the wide tensors first, then a filler so that the basis starts
 // on a 64-byte boundary of the file and of any page-aligned mapping.
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "base/error.hpp"
 #include "base/json.hpp"
 #include "model/deformation_model.hpp"
+#include "model/model_json.hpp"
 
 namespace mien {
 namespace {
@@ -107,13 +107,10 @@ void read_left_out(DeformationModel& model) {
     const auto found = model.info.find(kLeftOutInfo);
     if (found == model.info.end()) return;
     constexpr double kMost_mm = 1000;
-    const std::string& text = found->second;
     double value = 0;
-    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (parsed.ec != std::errc() || parsed.ptr != text.data() + text.size() || !(value > 0) ||
-        !(value <= kMost_mm))
+    if (!read_info_number(found->second, value) || !(value > 0) || !(value <= kMost_mm))
         fail(Status::bad_format, "info '%s' is '%.40s', not a length in mm", kLeftOutInfo,
-             text.c_str());
+             found->second.c_str());
     model.pca_left_out_mm = value;
 }
 

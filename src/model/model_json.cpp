@@ -6,16 +6,11 @@
 #include "base/json_text.hpp"
 
 namespace mien {
-namespace {
-
-/// Plain JSON numbers only: no "inf", no hexadecimal, no text around.
-bool read_number(const std::string& text, double& value) {
+bool read_info_number(const std::string& text, double& value) {
     const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
     return parsed.ec == std::errc() && parsed.ptr == text.data() + text.size() &&
            std::isfinite(value);
 }
-
-}  // namespace
 
 std::string model_json(const DeformationModel& model) {
     JsonText json;
@@ -32,7 +27,7 @@ std::string model_json(const DeformationModel& model) {
     json.end_object().key("info").begin_object();
     for (const auto& [key, value] : model.info) {
         double number = 0;
-        if (read_number(value, number))
+        if (read_info_number(value, number))
             json.field(key, number);
         else
             json.field(key, value);

@@ -12,4 +12,7 @@ namespace mien {
 /// numbers.
 std::string model_json(const DeformationModel& model);
 
+/// A plain, finite number of info: no "inf", no hexadecimal, no text around; false for others.
+bool read_info_number(const std::string& text, double& value);
+
 }  // namespace mien

@@ -9,6 +9,7 @@ fit: cases of verdict_cases.py (people of the seeds; every kind of trouble; with
 MODELS: ict_kernel, ict_trained, ict_other, mh_kernel, mh_trained (.safetensors). Each row is flushed; a run that was cut off
 goes on where it stopped. The truth of a zone is the mean distance of those of its vertices that the untroubled scan shows;
 of an ICT template on a MakeHuman face, whose vertices do not correspond, that of the landmarks of nose, eyes and mouth.
+Half of the people are bent by a random field; a row's "unlike" is its deviation in mm.
 learn: boosted trees of log error, most measures held to one direction (expected_error.hpp); ranges and limits by people left
 out, a tenth of them at a time. judge: how a table does on rows that it was not learned from.
 """

@@ -238,6 +238,12 @@ class OtherCommands(unittest.TestCase):
     def test_model_info_names_the_kernel(self):
         self.assertIn("geodesic-se", must("model", "info", WORK / "face.safetensors"))
 
+    def test_model_info_tells_what_trained_modes_leave_of_people_left_out(self):
+        must("model", "build", "--template", WORK / "demo/template.ply", "--kernel", "geodesic-se", "--modes", "30", "--pca",
+             WORK / "demo/train.safetensors", "--out", WORK / "trained.safetensors")
+        self.assertRegex(must("model", "info", WORK / "trained.safetensors"), r"people left out +[0-9]+\.[0-9]+ mm")
+        self.assertNotIn("people left out", must("model", "info", WORK / "face.safetensors"))
+
     def test_samples_are_faces(self):
         must("model", "sample", WORK / "face.safetensors", "--count", "2", "--seed", "5", "--out-dir", WORK / "samples")
         self.assertEqual(len(list((WORK / "samples").glob("*.ply"))), 2)

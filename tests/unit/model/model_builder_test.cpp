@@ -333,8 +333,8 @@ TEST(PointDistribution, RecoversTheShapesThatMadeTheFaces) {
 }
 
 // Faces of six people, two each, off the template by random steps of 1 mm on top of a smooth shape;
-// `also` people's faces alone when it is not empty.
-FaceDataset noisy_people(const TriMesh& mesh, const std::vector<int>& also, const char* name) {
+// of the people `only` when it is not empty.
+FaceDataset noisy_people(const TriMesh& mesh, const std::vector<int>& only, const char* name) {
     FaceDatasetWriter writer(mesh.triangles, mesh.vertices.rows(), {"neutral", "smile"});
     std::mt19937 random(5);
     for (int person = 0; person < 6; ++person)
@@ -343,7 +343,7 @@ FaceDataset noisy_people(const TriMesh& mesh, const std::vector<int>& also, cons
             face.col(2) += (person - 2.0) * (mesh.vertices.col(0) / 20).array().sin().matrix();
             for (Index i = 0; i < face.size(); ++i)
                 face.data()[i] += random() / 4294967296.0 < 0.5 ? -1 : 1;
-            if (also.empty() || std::find(also.begin(), also.end(), person) != also.end())
+            if (only.empty() || std::find(only.begin(), only.end(), person) != only.end())
                 writer.add(face, person, expression);
         }
     const std::string path = testing::TempDir() + name;
