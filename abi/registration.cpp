@@ -26,7 +26,9 @@ mien_registration::mien_registration(FitRecord&& record)
     : Object(kTag),
       data(std::move(record.fit)),
       zones(std::move(record.zones)),
-      json(registration_json(data)),
+      tie(std::move(record.tie)),
+      json(tie != nullptr ? registration_json(data, tie_json(*tie, zones))
+                          : registration_json(data)),
       mesh(new mien_mesh(std::make_shared<const TriMesh>(std::move(record.mesh)))) {}
 
 mien_registration::mien_registration(TiedVisit&& tied, const mien_registration& kept)

@@ -31,7 +31,7 @@ mien_status MIEN_CALL mien_registration_save(mien_session* session,
         const mien_registration& fit = checked(registration, "registration");
         const char* where = checked_text(path, "path");
         const Call call(session);
-        save_fit_record(where, *fit.mesh->mesh, fit.data, fit.zones, call.context());
+        save_fit_record(where, *fit.mesh->mesh, fit.data, fit.zones, fit.tie.get(), call.context());
     });
 }
 

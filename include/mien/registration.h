@@ -329,8 +329,8 @@ MIEN_API mien_status MIEN_CALL mien_registration_get_json(const mien_registratio
 
 /**
  * Keeps a registration as a file: the fitted template, its residuals, weights and deviations, the
- * verdict and the model's zones, so that visits can be registered today and studied in a year. The
- * scan is not in it.
+ * verdict with its reasons and notes, the tie to another visit and the model's zones, so that
+ * visits can be registered today and studied in a year. The scan is not in it.
  *
  * @param session      [in] not null.
  * @param registration [in] not null.

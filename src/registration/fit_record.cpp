@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/json.hpp"
+#include "registration/tie_record.hpp"
 
 namespace mien {
 namespace {
@@ -277,6 +278,7 @@ void add_names(Writing& out, const RegistrationResult& fit, const std::vector<Zo
     if (!measured.empty()) out.metadata["measured_zones"] = json_string_list(measured);
     out.metadata["colors_left_out"] = json_string_list(verdict.colors_left_out);
     out.metadata["reasons"] = json_string_list(verdict.reasons);
+    out.metadata["notes"] = json_string_list(verdict.notes);
     out.metadata["landmarks_rejected"] = json_string_list(verdict.landmarks_rejected);
     out.metadata["landmarks_unknown"] = json_string_list(fit.unknown_landmarks);
     out.metadata["color_features"] = json_string_list(colors);
@@ -286,7 +288,8 @@ void add_names(Writing& out, const RegistrationResult& fit, const std::vector<Zo
 }  // namespace
 
 void save_fit_record(const std::string& path, const TriMesh& mesh, const RegistrationResult& fit,
-                     const std::vector<Zone>& zones, const Context& context) {
+                     const std::vector<Zone>& zones, const TextureTie* tie,
+                     const Context& context) {
     check_fit(mesh, fit, Status::invalid_argument);
     const std::uint64_t n = size_of(mesh.vertices.rows());
     Writing out;
@@ -322,6 +325,8 @@ void save_fit_record(const std::string& path, const TriMesh& mesh, const Registr
     out.add("scan_triangles", out.scan_triangles);
     out.add("zone_vertices", out.zone_vertices);
     if (!out.zone_vertices.empty()) out.add("zone_sizes", out.zone_sizes);
+    const std::vector<double> tied = tie != nullptr ? tie_numbers(*tie) : std::vector<double>();
+    if (tie != nullptr) add_tie(*tie, tied, out.tensors, out.metadata);
     if (mesh.colors.rows() != 0)
         out.tensors.push_back({"colors", DType::u8, {n, 3}, mesh.colors.data()});
     write_safetensors(path, out.tensors, std::move(out.metadata), context);
@@ -373,6 +378,7 @@ FitRecord read_fit_record(const SafetensorsFile& file) {
     read_expected(file, fit.verdict);
     if (file.metadata().count("colors_left_out") != 0)
         fit.verdict.colors_left_out = names("colors_left_out");
+    if (file.metadata().count("notes") != 0) fit.verdict.notes = names("notes");
     const std::vector<std::string> colors = names("color_features");
     for (std::size_t i = 0; i < colors.size(); ++i)
         fit.verdict.colors.push_back(
@@ -381,6 +387,7 @@ FitRecord read_fit_record(const SafetensorsFile& file) {
                                                     {static_cast<std::int64_t>(colors.size())})
                                             .data)[i]});
     read_zones(file, n, record.zones);
+    record.tie = read_tie(file, n);
     return record;
 }
 

@@ -16,15 +16,18 @@
 
 namespace mien {
 
+struct TextureTie;
+
 struct FitRecord {
-    TriMesh mesh;             ///< the fitted template; fit.fitted stays empty
-    RegistrationResult fit;   ///< `correspondence` without points and distances
-    std::vector<Zone> zones;  ///< of the model, on its template
+    TriMesh mesh;                           ///< the fitted template; fit.fitted stays empty
+    RegistrationResult fit;                 ///< `correspondence` without points and distances
+    std::vector<Zone> zones;                ///< of the model, on its template
+    std::shared_ptr<const TextureTie> tie;  ///< without `places`; null: never tied
 };
 
-/// Writes atomically. Throws Status::io.
+/// Writes atomically; `tie` may be null. Throws Status::io.
 void save_fit_record(const std::string& path, const TriMesh& mesh, const RegistrationResult& fit,
-                     const std::vector<Zone>& zones, const Context& context);
+                     const std::vector<Zone>& zones, const TextureTie* tie, const Context& context);
 
 /// Errors of SafetensorsFile; Status::bad_format or corrupt for numbers that are no fit, naming the
 /// tensor.

@@ -1,4 +1,5 @@
 // A registration that is tied to an earlier one, through the shared library alone.
+#include <cstdio>
 #include <cstring>
 
 #include "sheets.hpp"
@@ -81,11 +82,22 @@ TEST_F(Tie, AVisitTiedToItselfStaysAndIsHeld) {
     EXPECT_NE(json(tied).find("\"reference\":{\"tied\":true"), std::string::npos) << json(tied);
     double slid = 0, held = 0;
     for (const double slide : field(tied, MIEN_REGISTRATION_SLIDE_MM)) slid = std::max(slid, slide);
-    for (const double share : field(tied, MIEN_REGISTRATION_TIE_SHARE)) held += share / (kSide * kSide);
+    for (const double share : field(tied, MIEN_REGISTRATION_TIE_SHARE))
+        held += share / (kSide * kSide);
     EXPECT_LT(slid, 0.2);
     EXPECT_GT(held, 0.5);
     EXPECT_EQ(std::size_t{kSide * kSide}, field(tied, MIEN_REGISTRATION_TIE_AGREEMENT).size());
     EXPECT_EQ(std::size_t{kSide * kSide}, field(tied, MIEN_REGISTRATION_TIE_DEVIATION_MM).size());
+
+    const std::string path = testing::TempDir() + "mien_tied.safetensors";
+    mien_registration* read = nullptr;
+    ASSERT_EQ(MIEN_OK, mien_registration_save(session_, tied, path.c_str(), nullptr));
+    ASSERT_EQ(MIEN_OK, mien_registration_load(session_, path.c_str(), &read, nullptr));
+    EXPECT_EQ(json(tied), json(read));
+    for (const std::int32_t which : {MIEN_REGISTRATION_SLIDE_MM, MIEN_REGISTRATION_TIE_SHARE})
+        EXPECT_EQ(field(tied, which), field(read, which));
+    mien_registration_release(read);
+    std::remove(path.c_str());
     mien_registration_release(tied);
 }
 

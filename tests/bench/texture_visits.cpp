@@ -92,7 +92,7 @@ Visit read_visit(const DeformationModel& model, const std::string& folder, const
     if (!std::ifstream(path)) {
         const RegistrationResult fit =
             register_scan(model, visit.scan, visit.truth.landmarks, {}, context);
-        save_fit_record(path, fit.fitted, fit, model.zones, context);
+        save_fit_record(path, fit.fitted, fit, model.zones, nullptr, context);
     }
     visit.record = load_fit_record(path, context);
     IntakeSettings intake;

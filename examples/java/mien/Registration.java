@@ -138,9 +138,9 @@ public final class Registration extends NativeObject {
     }
 
     /**
-     * Keeps a registration as a file: the fitted template, its residuals, weights and deviations, the verdict and
-     * the model's zones, so that visits can be registered today and studied in a year. The scan is not in it. C:
-     * mien_registration_save().
+     * Keeps a registration as a file: the fitted template, its residuals, weights and deviations, the verdict
+     * with its reasons and notes, the tie to another visit and the model's zones, so that visits can be
+     * registered today and studied in a year. The scan is not in it. C: mien_registration_save().
      * @param path UTF-8; replaced whole.
      * @throws MienException MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_NO_MEMORY,
      * MIEN_E_CANCELLED

@@ -1,4 +1,6 @@
 #include "registration/fit_record.hpp"
+#include "registration/reference_visit.hpp"
+#include "registration/texture_tie.hpp"
 
 #include <gtest/gtest.h>
 
@@ -32,6 +34,7 @@ FitRecord made() {
     fit.motion.translation = Vector3(1, 2, 1.0 / 3);
     fit.motion.scale = 1.1;
     fit.verdict.reasons = {"a scan of \"half\" a face", "zwölf"};
+    fit.verdict.notes = {"tied to another visit"};
     fit.verdict.landmarks_rejected = {"gnathion"};
     fit.verdict.colors = {{"lips", 0.75}};
     fit.verdict.colors_left_out = {"brow_left"};
@@ -61,7 +64,7 @@ std::string path() {
 
 TEST(FitRecord, LosesNoBitOnItsWayThroughAFile) {
     const FitRecord kept = made();
-    save_fit_record(path(), kept.mesh, kept.fit, kept.zones, Context());
+    save_fit_record(path(), kept.mesh, kept.fit, kept.zones, kept.tie.get(), Context());
     const FitRecord read = load_fit_record(path(), Context());
     EXPECT_EQ(read.mesh.vertices, kept.mesh.vertices);
     EXPECT_EQ(read.mesh.triangles, kept.mesh.triangles);
@@ -83,7 +86,7 @@ TEST(FitRecord, LosesNoBitOnItsWayThroughAFile) {
 // Measures were added: files from before them hold fewer columns.
 TEST(FitRecord, MeasuresThatAFileLacksAreZero) {
     const FitRecord kept = made();
-    save_fit_record(path(), kept.mesh, kept.fit, kept.zones, Context());
+    save_fit_record(path(), kept.mesh, kept.fit, kept.zones, kept.tie.get(), Context());
     const SafetensorsFile file = SafetensorsFile::open(path(), {}, Context());
     std::vector<TensorToWrite> tensors;
     for (const auto& [name, tensor] : file.tensors()) {
@@ -112,7 +115,7 @@ TEST(FitRecord, MeasuresThatAFileLacksAreZero) {
 
 TEST(FitRecord, WhatWasNotKnownIsNotKnownAgain) {
     const FitRecord kept = fit_record_of(made().mesh, {}, {}, {}, FitQuality::good, {});
-    save_fit_record(path(), kept.mesh, kept.fit, kept.zones, Context());
+    save_fit_record(path(), kept.mesh, kept.fit, kept.zones, kept.tie.get(), Context());
     const FitRecord read = load_fit_record(path(), Context());
     EXPECT_EQ(read.fit.weight.size(), 0);
     EXPECT_EQ(read.fit.confidence_mm.size(), 0);
@@ -142,9 +145,42 @@ TEST(FitRecord, ArraysThatAreNoFitAreRefused) {
     EXPECT_EQ(status(ones, ones, {{"nose", {4}}}), Status::mismatch);
 }
 
-TEST(FitRecord, EveryTruncationIsATypedError) {
+TextureTie made_tie() {
+    TextureTie tie;
+    tie.tied = true;
+    tie.slide_mm = Vector::LinSpaced(4, 0, 1.0 / 3);
+    tie.agreement = Vector::LinSpaced(4, -1, 1);
+    tie.share = Vector::LinSpaced(4, 0, 1);
+    tie.sd_mm = Vector::Constant(4, 0.1);
+    tie.compared = 0.9;
+    tie.agreeing = 1.0 / 7;
+    tie.median_slide_mm = 0.2;
+    tie.undone = 3;
+    return tie;
+}
+
+TEST(FitRecord, ATieIsKeptWithTheFit) {
     const FitRecord kept = made();
-    save_fit_record(path(), kept.mesh, kept.fit, kept.zones, Context());
+    TextureTie tie = made_tie();
+    save_fit_record(path(), kept.mesh, kept.fit, kept.zones, &tie, Context());
+    const FitRecord read = load_fit_record(path(), Context());
+    ASSERT_NE(read.tie, nullptr);
+    EXPECT_EQ(tie_json(*read.tie, read.zones), tie_json(tie, kept.zones));
+    EXPECT_EQ(read.tie->slide_mm, tie.slide_mm);
+    EXPECT_EQ(read.tie->agreement, tie.agreement);
+    EXPECT_EQ(read.tie->share, tie.share);
+    EXPECT_EQ(read.tie->sd_mm, tie.sd_mm);
+    // A share of two is none: whoever wrote it did not write a tie.
+    tie.share[2] = 2;
+    save_fit_record(path(), kept.mesh, kept.fit, kept.zones, &tie, Context());
+    EXPECT_THROW(load_fit_record(path(), Context()), Error);
+    std::remove(path().c_str());
+}
+
+TEST(FitRecord, EveryTruncationIsATypedError) {
+    FitRecord kept = made();
+    kept.tie = std::make_shared<TextureTie>(made_tie());
+    save_fit_record(path(), kept.mesh, kept.fit, kept.zones, kept.tie.get(), Context());
     std::ifstream in(path(), std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
     for (std::size_t size = 0; size < bytes.size(); size += 7)

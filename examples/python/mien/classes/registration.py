@@ -87,8 +87,9 @@ class Registration(_Object):
         return _run("mien_registration_get_json", {"registration": self})[0]
 
     def save(self, session: Session, path: Text) -> None:
-        """Keeps a registration as a file: the fitted template, its residuals, weights and deviations, the verdict and
-        the model's zones, so that visits can be registered today and studied in a year. The scan is not in it.
+        """Keeps a registration as a file: the fitted template, its residuals, weights and deviations, the verdict with
+        its reasons and notes, the tie to another visit and the model's zones, so that visits can be registered
+        today and studied in a year. The scan is not in it.
         path: UTF-8; replaced whole.
         Fails with MIEN_E_INVALID_HANDLE, MIEN_E_INVALID_ARGUMENT, MIEN_E_IO, MIEN_E_NO_MEMORY,
         MIEN_E_CANCELLED.
