@@ -43,6 +43,7 @@ for headers in $cpp_headers "mien/mien.h $cpp_headers"; do
     source_of "$headers" >"$folder/face$number.cpp"
 done
 face_sources=$(ls "$folder"/*.cpp)
+all_faces=$folder/face$number.cpp
 
 warnings="-Wall -Wextra -Wundef -Wshadow -Werror -pedantic -pedantic-errors"
 if [ $# -eq 0 ]; then
@@ -61,9 +62,9 @@ for compiler in "$@"; do
     for standard in c++11 c++17 c++20; do
         check "$cpp" -std=$standard $warnings -Wold-style-cast $cc_sources
     done
-    for standard in c++17 c++20; do
-        check "$cpp" -std=$standard $warnings -Wno-missing-field-initializers $face_sources
-    done
+    check "$cpp" -std=c++17 $warnings -Wno-missing-field-initializers $face_sources
+    # Those that stand alone in C++17 do in C++20: together they are enough.
+    check "$cpp" -std=c++20 $warnings -Wno-missing-field-initializers "$all_faces"
     check "$compiler" -std=c99 -fshort-enums -DMIEN_STATIC $warnings $c_sources
 done
 
