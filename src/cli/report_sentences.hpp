@@ -259,6 +259,14 @@ inline constexpr ReportText kSentences[] = {
       "wurden zurückgetauscht",
       "les repères {0} sont en miroir : gauche et droite sont échangées dans leurs noms ; "
       "l'échange a été annulé"}},
+    {"the landmarks lie * mm from the face, all to one side: they were moved back by that; were "
+     "they picked on this scan, and in its frame?",
+     {"the landmarks lie {0} mm from the face, all to one side: they were moved back by that; were "
+      "they picked on this scan, and in its frame?",
+      "die Landmarken liegen {0} mm neben dem Gesicht, alle nach derselben Seite: sie wurden um so "
+      "viel zurückgeschoben; wurden sie auf diesem Scan und in seinem Koordinatensystem gesetzt?",
+      "les repères se trouvent à {0} mm du visage, tous du même côté : ils ont été ramenés "
+      "d'autant ; ont-ils été posés sur ce scan, et dans son repère de coordonnées ?"}},
     {"by its landmarks the face is outside of what the trained modes span: fitted by the kernel "
      "alone",
      {"by its landmarks the face is outside of what the trained modes span: fitted by the kernel "

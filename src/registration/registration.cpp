@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 #include "geometry/normals.hpp"
 #include "mesh/length_unit.hpp"
@@ -36,6 +37,43 @@ StartState start_again(const DeformationModel& model, const PreparedScan& scan,
         if (std::find(start.notes.begin(), start.notes.end(), note) == start.notes.end())
             start.notes.push_back(note);
     return start;
+}
+
+// Landmarks that all lie to one side of the fitted face are moved back onto it, as far as further
+// fits show; what they lie off by is told.
+void mend_shifted_landmarks(const DeformationModel& model, const PreparedScan& scan,
+                            std::vector<LandmarkPoint>& landmarks,
+                            const RegistrationSettings& settings, const PriorState& prior,
+                            BeginAndFit& done, const Context& context) {
+    const ShiftedLandmarkSettings& rules = settings.shifted;
+    if (!rules.mend || !common_shift(done.start.pins, done.fit.state.places, rules)) return;
+    Context quiet = context;
+    quiet.progress_function = nullptr;
+    ShiftSearch search(misfit_of(done.start.pins, done.fit.state.places), rules);
+    std::optional<BeginAndFit> best;
+    std::vector<LandmarkPoint> mended;
+    Vector3 shift_mm = Vector3::Zero();
+    for (int k = 0; k < rules.most_fits && !search.settled(); ++k) {
+        const Vector3 tried = search.shift();
+        std::vector<LandmarkPoint> moved = landmarks;
+        for (LandmarkPoint& landmark : moved) landmark.point -= tried / scan.unit_to_mm;
+        BeginAndFit anew{start_again(model, scan, prior, moved, settings, done.start, quiet), {}};
+        if (anew.start.pins.empty()) break;
+        anew.fit = fit_surface(model, prior, anew.start, settings.fit, quiet);
+        if (!search.take(misfit_of(anew.start.pins, anew.fit.state.places))) continue;
+        shift_mm = tried;
+        mended = std::move(moved);
+        best = std::move(anew);
+    }
+    if (!best) return;
+    landmarks = std::move(mended);
+    done = std::move(*best);
+    char note[300];
+    std::snprintf(note, sizeof note,
+                  "the landmarks lie %.1f mm from the face, all to one side: they were moved back "
+                  "by that; were they picked on this scan, and in its frame?",
+                  shift_mm.norm());
+    done.start.notes.emplace_back(note);
 }
 
 // By the kernel alone, where that leaves clearly less of the surface open than the finished fit by
@@ -93,9 +131,10 @@ bool leave_lying_colors_out(const DeformationModel& model, const PreparedScan& s
 
 RegistrationResult register_prepared(const DeformationModel& model, const PreparedScan& scan,
                                      const PriorState& prior,
-                                     const std::vector<LandmarkPoint>& landmarks,
+                                     const std::vector<LandmarkPoint>& given,
                                      const RegistrationSettings& settings, const Context& context) {
     check_settings(settings);
+    std::vector<LandmarkPoint> landmarks = given;
     const VertexRings rings = build_rings(model.num_vertices(), model.template_mesh.triangles);
     const LoopSettings& loop = settings.fit.loop;
     BeginAndFit done{find_start(model, scan, prior, landmarks, settings.start, loop, context), {}};
@@ -109,6 +148,7 @@ RegistrationResult register_prepared(const DeformationModel& model, const Prepar
             "kernel alone");
     }
     done.fit = fit_surface(model, settled, done.start, settings.fit, context);
+    mend_shifted_landmarks(model, scan, landmarks, settings, settled, done, context);
     leave_trained_modes_out(model, scan, landmarks, settings, settled, done, context);
     leave_lying_colors_out(model, scan, landmarks, settings, settled, done, context);
     const StartState& start = done.start;

@@ -14,6 +14,7 @@
 #include "registration/gap.hpp"
 #include "registration/inner_parts.hpp"
 #include "registration/landmark_frame.hpp"
+#include "registration/shifted_landmarks.hpp"
 #include "registration/trained_span.hpp"
 #include "registration/verdict.hpp"
 
@@ -34,6 +35,7 @@ struct RegistrationSettings {
     LandmarkFrameSettings frame;
     PriorSettings prior;
     TrainedSpanSettings span;
+    ShiftedLandmarkSettings shifted;
     ColorFeatureSettings colors;
     InnerSettings inner;
     StartSettings start;
