@@ -47,7 +47,10 @@ enum {
 typedef struct mien_register_options {
     uint32_t struct_size;
     int32_t growth; /**< MIEN_GROWTH_*; default constant, with annealed noise */
-    const mien_scan_landmark* landmarks; /**< landmark_count landmarks; null: none */
+    const mien_scan_landmark* landmarks; /**< landmark_count landmarks; null: none. Ones that
+                                            contradict the others are left out; where all lie to one
+                                            side of the face they are moved back onto it, and a note
+                                            of the report says by how much */
     uint64_t landmark_count;
     double landmark_sigma_mm;     /**< picking error per axis, > 0; default 2 */
     int32_t start;                /**< MIEN_START_*; default automatic */

@@ -42,7 +42,8 @@ namespace Mien
 
         /// <summary>MIEN_GROWTH_*; default constant, with annealed noise</summary>
         public Growth Growth { get; set; }
-        /// <summary>landmark_count landmarks; null: none</summary>
+        /// <summary>landmark_count landmarks; null: none. Ones that contradict the others are left out; where all lie to one side of
+        /// the face they are moved back onto it, and a note of the report says by how much</summary>
         public IReadOnlyList<ScanLandmark> Landmarks { get; set; }
         /// <summary>picking error per axis, &gt; 0; default 2</summary>
         public double LandmarkSigmaMm { get; set; }

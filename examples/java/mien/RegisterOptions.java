@@ -66,7 +66,10 @@ public final class RegisterOptions implements Record_ {
     }
     public int growth() { return growth; }
 
-    /** landmark_count landmarks; null: none */
+    /**
+     * landmark_count landmarks; null: none. Ones that contradict the others are left out; where all lie to one
+     * side of the face they are moved back onto it, and a note of the report says by how much
+     */
     public RegisterOptions landmarks(java.util.List<ScanLandmark> value) {
         landmarks = value;
         return this;

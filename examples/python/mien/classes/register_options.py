@@ -22,7 +22,8 @@ class RegisterOptions(_Options):
     _name = "mien_register_options"
     #: MIEN_GROWTH_*; default constant, with annealed noise
     growth: Growth | int
-    #: landmark_count landmarks; null: none
+    #: landmark_count landmarks; null: none. Ones that contradict the others are left out; where all lie to one
+    #: side of the face they are moved back onto it, and a note of the report says by how much
     landmarks: Sequence[ScanLandmark] | None
     #: picking error per axis, > 0; default 2
     landmark_sigma_mm: float
