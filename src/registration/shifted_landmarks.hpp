@@ -14,8 +14,8 @@ namespace mien {
 struct ShiftedLandmarkSettings {
     bool mend = true;
     /// > 0: length of the mean misfit over what it would be by chance, from which further fits are
-    /// tried. Right landmarks reach 1.6, those of a part of the face 3.0, all shifted by 2 mm 3.8.
-    /// [T] "Landmarks shifted together"
+    /// tried: above the 1.6 of right landmarks. One part of the face that is off reaches 3.0; what
+    /// the further fits find there is not kept. [T] "Landmarks shifted together"
     double least_score = 2.2;
     double least_half = 0.25;  ///< 0 to 1: of the mean misfit, that the left, right, upper and
                                ///< lower landmarks show as well: an open mouth is no shift [J]
@@ -28,7 +28,8 @@ struct ShiftedLandmarkSettings {
     double kept = 0.9;         ///< 0 to 1: and less of its root mean square [T]
 };
 
-/// The mean of landmark minus fitted place where it is common to all, mm.
+/// The mean of landmark minus fitted place, mm, where it is common to all; nothing where it is not,
+/// or without pins. `places`: #V x 3, mm, in the pins' frame.
 std::optional<Vector3> common_shift(const std::vector<Pin>& pins, const Points& places,
                                     const ShiftedLandmarkSettings& settings);
 
