@@ -12,12 +12,27 @@
 namespace mien {
 namespace {
 
-// X0 = Z V' with orthonormal V: everything PLS needs of X0 is in Z. From the Gram matrix's
-// eigenvectors; directions below the rounding of the Gram matrix are nothing that PLS would use.
-Matrix principal_coordinates(const ConstMatrixRef& x) {
-    if (x.cols() <= x.rows()) return x;
-    const Matrix centred = x.rowwise() - x.colwise().mean();
-    Matrix gram = centred * centred.transpose();
+// Columns that one step of a Gram matrix takes: a cancel is heard between two.
+constexpr Index kGramColumns = 2048;
+
+// X0 = Z V' with orthonormal V, X0 the centred columns of x, each times its factor (none: 1):
+// everything PLS needs of X0 is in Z. From the Gram matrix's eigenvectors; directions below the
+// rounding of the Gram matrix are nothing that PLS would use.
+Matrix principal_coordinates(const ConstMatrixRef& x, const Vector& factors,
+                             const Context& context) {
+    if (x.cols() <= x.rows() && factors.size() == 0) return x;
+    if (x.cols() <= x.rows()) return x * factors.asDiagonal();
+    Matrix gram = Matrix::Zero(x.rows(), x.rows());
+    Matrix block;
+    for (Index begin = 0; begin < x.cols(); begin += kGramColumns) {
+        context.check_cancelled();
+        const Index count = std::min(kGramColumns, x.cols() - begin);
+        block = x.middleCols(begin, count);
+        if (factors.size() > 0) block *= factors.segment(begin, count).asDiagonal();
+        block.rowwise() -= block.colwise().mean().eval();
+        gram.noalias() += block * block.transpose();
+    }
+    context.check_cancelled();
     Eigen::SelfAdjointEigenSolver<Matrix> solver(gram);
     if (solver.info() != Eigen::Success)
         fail(Status::no_solution, "the eigenproblem of the samples' Gram matrix did not converge");
@@ -173,7 +188,7 @@ CrossValidation cross_validate_pls(const ConstMatrixRef& x, const Vector& y,
         fail(Status::invalid_argument, "%d components; at least one", options.max_components);
     const Matrix shared = options.scale            ? Matrix(x)
                           : options.column_factors ? Matrix()
-                                                   : principal_coordinates(x);
+                                                   : principal_coordinates(x, {}, context);
     const Index smallest = n - *std::max_element(folds.size.begin(), folds.size.end());
     const Index most = std::min<Index>({options.max_components, smallest - 1, x.cols()});
     if (most < 1)
@@ -190,7 +205,7 @@ CrossValidation cross_validate_pls(const ConstMatrixRef& x, const Vector& y,
             std::vector<Index> training;
             for (Index i = 0; i < n; ++i)
                 if (folds.of_sample[static_cast<std::size_t>(i)] != fold) training.push_back(i);
-            own = principal_coordinates(x * options.column_factors(training).asDiagonal());
+            own = principal_coordinates(x, options.column_factors(training), context);
         }
         predict_fold(own.size() > 0 ? own : shared, y, options, folds, fold, result.predictions);
     });
