@@ -46,10 +46,13 @@ void mend_shifted_landmarks(const DeformationModel& model, const PreparedScan& s
                             const RegistrationSettings& settings, const PriorState& prior,
                             BeginAndFit& done, const Context& context) {
     const ShiftedLandmarkSettings& rules = settings.shifted;
-    if (!rules.mend || !common_shift(done.start.pins, done.fit.state.places, rules)) return;
+    if (!rules.mend) return;
+    const std::optional<Misfit> found =
+        common_misfit(done.start.pins, done.fit.state.places, rules);
+    if (!found) return;
     Context quiet = context;
     quiet.progress_function = nullptr;
-    ShiftSearch search(misfit_of(done.start.pins, done.fit.state.places), rules);
+    ShiftSearch search(*found, rules);
     std::optional<BeginAndFit> best;
     std::vector<LandmarkPoint> mended;
     Vector3 shift_mm = Vector3::Zero();

@@ -59,17 +59,16 @@ Misfit misfit_of(const std::vector<Pin>& pins, const Points& places) {
     return {off.colwise().mean().transpose(), std::sqrt(off.rowwise().squaredNorm().mean())};
 }
 
-std::optional<Vector3> common_shift(const std::vector<Pin>& pins, const Points& places,
+std::optional<Misfit> common_misfit(const std::vector<Pin>& pins, const Points& places,
                                     const ShiftedLandmarkSettings& settings) {
     if (pins.empty()) return std::nullopt;
-    const Points off = misfits(pins, places);
-    const Vector3 mean = off.colwise().mean().transpose();
-    const double n = static_cast<double>(pins.size());
-    const double rms = std::sqrt(off.rowwise().squaredNorm().mean());
-    const bool clear =
-        mean.norm() >= settings.least_mm && mean.norm() * std::sqrt(n) > settings.least_score * rms;
-    if (!clear || least_half(pins, off, mean) < settings.least_half) return std::nullopt;
-    return mean;
+    const Misfit all = misfit_of(pins, places);
+    const double n = static_cast<double>(pins.size()), mean_mm = all.mean.norm();
+    const bool clear = mean_mm >= settings.least_mm &&
+                       mean_mm * std::sqrt(n) > settings.least_score * all.rms_mm;
+    if (!clear || least_half(pins, misfits(pins, places), all.mean) < settings.least_half)
+        return std::nullopt;
+    return all;
 }
 
 ShiftSearch::ShiftSearch(const Misfit& found, const ShiftedLandmarkSettings& settings)

@@ -28,18 +28,17 @@ struct ShiftedLandmarkSettings {
     double kept = 0.9;         ///< 0 to 1: and less of its root mean square [T]
 };
 
-/// The mean of landmark minus fitted place, mm, where it is common to all; nothing where it is not,
-/// or without pins. `places`: #V x 3, mm, in the pins' frame.
-std::optional<Vector3> common_shift(const std::vector<Pin>& pins, const Points& places,
-                                    const ShiftedLandmarkSettings& settings);
-
 struct Misfit {
     Vector3 mean = Vector3::Zero();  ///< of landmark minus fitted place, mm
     double rms_mm = 0;
 };
 
-/// Pins must not be empty.
+/// Pins must not be empty. `places`: #V x 3, mm, in the pins' frame.
 Misfit misfit_of(const std::vector<Pin>& pins, const Points& places);
+
+/// The same where the mean is common to all; nothing where it is not, or without pins.
+std::optional<Misfit> common_misfit(const std::vector<Pin>& pins, const Points& places,
+                                    const ShiftedLandmarkSettings& settings);
 
 /// Looks for the whole shift: a fit that yields to its landmarks shows only a share of it, which
 /// is told by how the misfit follows what the landmarks were moved by.

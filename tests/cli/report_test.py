@@ -131,6 +131,25 @@ class Records(unittest.TestCase):
         self.assertIn("<strong>b: fit doubtful", page)
         self.assertLess(page.index("<strong>b: fit doubtful"), page.index("<li>"))
 
+    def test_landmarks_shifted_together_are_moved_back_and_the_page_says_so(self):
+        beside = self.base / "beside"
+        beside.mkdir(exist_ok=True)
+        shutil.copy(self.base / "kept/a.safetensors", beside)
+        scan, picked = self.base / "demo/scan/scan_neutral.ply", self.base / "demo/scan/landmarks_neutral.json"
+        moved = json.loads(picked.read_text())
+        moved["points"] = {name: [x + 3, y + 4, z - 3] for name, (x, y, z) in moved["points"].items()}
+        (self.base / "moved.json").write_text(json.dumps(moved))
+        self.must("register", "--model", self.base / "face.safetensors", "--scan", scan, "--landmarks", self.base / "moved.json",
+                  "--out", self.base / "moved.ply", "--json", self.base / "moved_fit.json", "--record", beside / "b.safetensors")
+        notes = json.loads((self.base / "moved_fit.json").read_text())["notes"]
+        told = [float(re.match(r"the landmarks lie ([\d.]+) mm", note)[1]) for note in notes if "all to one side" in note]
+        self.assertEqual(len(told), 1, notes)
+        self.assertAlmostEqual(told[0], 34 ** .5, delta=1)
+        zones = self.told("beside", "--fitted")
+        self.assertGreater(len(zones), 5)
+        self.assertEqual([zone["name"] for zone in zones if not zone["below_limit_of_detection"]], [])  # one scan, fitted twice
+        self.assertIn("all to one side: they were moved back", (self.base / "page.html").read_text("utf-8"))
+
     def test_walls_and_skin_that_nobody_saw_are_measured_when_asked(self):
         def mouth(*more):
             self.told("kept", "--fitted", *more)
