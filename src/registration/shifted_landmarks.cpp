@@ -64,8 +64,8 @@ std::optional<Misfit> common_misfit(const std::vector<Pin>& pins, const Points& 
     if (pins.empty()) return std::nullopt;
     const Misfit all = misfit_of(pins, places);
     const double n = static_cast<double>(pins.size()), mean_mm = all.mean.norm();
-    const bool clear = mean_mm >= settings.least_mm &&
-                       mean_mm * std::sqrt(n) > settings.least_score * all.rms_mm;
+    const bool clear =
+        mean_mm >= settings.least_mm && mean_mm * std::sqrt(n) > settings.least_score * all.rms_mm;
     if (!clear || least_half(pins, misfits(pins, places), all.mean) < settings.least_half)
         return std::nullopt;
     return all;

@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "training/code_function.hpp"
 #include "training/runs.hpp"
 
 namespace mien::training {
@@ -38,6 +39,7 @@ Json run_faces(const RunContext& context) {
                 {"test", face_errors(context, *made.last, context.split.test)},
                 {"test_best", face_errors(context, *made.best, context.split.test)},
                 {"run", made.run}});
+    if (c.pca) row["code_function"] = code_function_row(context, *made.last);
     if (c.bands)
         row["bands"] = band_measures(*made.last, context.data,
                                      chosen_faces(context.data, context.split.test, true));

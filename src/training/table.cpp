@@ -179,6 +179,16 @@ Json finish_table(std::vector<Json> given) {
             (*best)["name"].get<std::string>().c_str(), (*best)["code"].get<int>());
         findings.push_back(text);
     }
+    if (pca != nullptr && pca->contains("code_function")) {
+        const double curved = (*pca)["code_function"]["test"]["l1_mm"].get<double>();
+        char text[200];
+        std::snprintf(text, sizeof text,
+                      "a smooth function of PCA's own numbers brings its L1 from %.4f to %.4f mm "
+                      "(%s): so much of these faces is curved, as far as the training faces show",
+                      test_of(*pca, "l1_mm"), curved,
+                      percent(curved, test_of(*pca, "l1_mm")).c_str());
+        findings.push_back(text);
+    }
     say_bands(rows, findings);
     say_expressions(rows, findings);
     const bool expressions = !rows.empty() && rows[0].contains("expression");
