@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "base/error.hpp"
+#include "training/code_function.hpp"
 #include "training/configuration.hpp"
 #include "training/faces.hpp"
 #include "training/trainer.hpp"
@@ -193,6 +194,49 @@ FaceDataset written_dataset(const std::string& path, const TriMesh& mesh, int pe
         writer.add(test::bent(mesh.vertices, 0.2 * k), k / 2, k % 2);
     writer.save(path, {});
     return FaceDataset::open(path, {}, {});
+}
+
+/// People along one direction, and along its square in another one when they are curved.
+FaceDataset dataset_along_a_line(const std::string& path, const TriMesh& mesh, int people,
+                                 double curved) {
+    FaceDatasetWriter writer(mesh.triangles, mesh.vertices.rows(), {"neutral"});
+    for (int k = 0; k < people; ++k) {
+        const double t = 2 * test::noise(static_cast<std::uint64_t>(k));
+        Points face = mesh.vertices;
+        for (Index v = 0; v < face.rows(); ++v) {
+            const double x = 0.05 * face(v, 0), y = 0.05 * face(v, 1);
+            face(v, 2) += 3 * t * std::cos(x) + curved * t * t * std::sin(2 * y);
+        }
+        writer.add(test::noisy(face, 0.02, static_cast<std::uint64_t>(1000 * k)), k, 0);
+    }
+    writer.save(path, {});
+    return FaceDataset::open(path, {}, {});
+}
+
+TEST(CodeFunction, TellsCurvedFacesFromStraightOnes) {
+    const testing::ScratchFolder folder;
+    const TriMesh mesh = test::face_like(12);
+    for (const double curved : {0.0, 1.0}) {
+        const FaceDataset data =
+            dataset_along_a_line(folder / "faces.safetensors", mesh, 40, curved);
+        const SubjectSplit split = make_split(data, 1);
+        const PreparedFaces faces =
+            prepare_faces(data, split, true, FeatureKind::euclidean, FeatureSpread::per_vertex, {});
+        const auto pca =
+            Network::make(pca_network(faces.training, 1), faces.features, nullptr, {"pca", ""}, {});
+        const double left = ReconstructionErrors::mean(
+            reconstruction_errors(data, chosen_faces(data, split.test, true),
+                                  [&](const Points& face) { return pca->apply(face, {}); }, false,
+                                  {})
+                .l1_mm);
+        const nlohmann::json row =
+            code_function_row({Configuration(), data, split, "", "", kGoOn}, *pca);
+        const double with_function = row["test"]["l1_mm"];
+        if (curved > 0)
+            EXPECT_LT(with_function, 0.4 * left);
+        else
+            EXPECT_NEAR(with_function, left, 0.1 * left);
+    }
 }
 
 TEST(Split, PutsEveryPersonIntoOneList) {
