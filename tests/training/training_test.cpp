@@ -204,10 +204,10 @@ FaceDataset dataset_along_a_line(const std::string& path, const TriMesh& mesh, i
         const double t = 2 * test::noise(static_cast<std::uint64_t>(k));
         Points face = mesh.vertices;
         for (Index v = 0; v < face.rows(); ++v) {
-            const double x = 0.05 * face(v, 0), y = 0.05 * face(v, 1);
-            face(v, 2) += 3 * t * std::cos(x) + curved * t * t * std::sin(2 * y);
+            const double x = 0.1 * face(v, 0), y = 0.1 * face(v, 1);
+            face(v, 2) += t * std::cos(x) + curved * t * t * std::cos(y);
         }
-        writer.add(test::noisy(face, 0.02, static_cast<std::uint64_t>(1000 * k)), k, 0);
+        writer.add(test::noisy(face, 0.05, static_cast<std::uint64_t>(1000 * k)), k, 0);
     }
     writer.save(path, {});
     return FaceDataset::open(path, {}, {});
@@ -216,7 +216,7 @@ FaceDataset dataset_along_a_line(const std::string& path, const TriMesh& mesh, i
 TEST(CodeFunction, TellsCurvedFacesFromStraightOnes) {
     const testing::ScratchFolder folder;
     const TriMesh mesh = test::face_like(12);
-    for (const double curved : {0.0, 1.0}) {
+    for (const double curved : {0.0, 0.4}) {
         const FaceDataset data =
             dataset_along_a_line(folder / "faces.safetensors", mesh, 40, curved);
         const SubjectSplit split = make_split(data, 1);
@@ -233,9 +233,9 @@ TEST(CodeFunction, TellsCurvedFacesFromStraightOnes) {
             code_function_row({Configuration(), data, split, "", "", kGoOn}, *pca);
         const double with_function = row["test"]["l1_mm"];
         if (curved > 0)
-            EXPECT_LT(with_function, 0.4 * left);
+            EXPECT_LT(with_function, 0.6 * left);
         else
-            EXPECT_NEAR(with_function, left, 0.1 * left);
+            EXPECT_NEAR(with_function, left, 0.2 * left);
     }
 }
 
