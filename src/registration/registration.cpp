@@ -168,6 +168,8 @@ namespace {
 // A face was found in no known unit: whatever has a size is a guess.
 void doubt_unit(Verdict& verdict) {
     if (verdict.quality == FitQuality::good) verdict.quality = FitQuality::doubtful;
+    for (ExpectedError& error : verdict.expected)
+        error.quality = std::max(error.quality, FitQuality::doubtful);
     char reason[300];
     std::snprintf(
         reason, sizeof reason,

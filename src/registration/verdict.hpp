@@ -82,7 +82,8 @@ void measure_fit(const MeasuredFit& finished, double landmark_sigma_mm,
 
 /// Sets the expected errors, quality and reasons from the measures. The quality is that of the
 /// error expected of the whole face; doubtful at best where that of a zone is failed; and limits
-/// that the whole stays within.
+/// that the whole stays within. No zone is good where the fit failed or the scan as a whole is
+/// doubted.
 void judge(Verdict& verdict, const VerdictLimits& limits);
 
 }  // namespace mien

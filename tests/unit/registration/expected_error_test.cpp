@@ -169,6 +169,31 @@ TEST(Verdict, ADoubtfulPoseOfABadFitHasFailed) {
     }
 }
 
+// Two captures over each other were fitted between them, doubtful, and their zones called good.
+TEST(Verdict, NoZoneIsGoodWhereTheWholeScanIsDoubted) {
+    Verdict v;
+    v.coverage = v.inlier_share = v.size_ratio = 1;
+    v.mean_residual_mm = 0.2;
+    v.zones.resize(2);
+    v.zones[0].name = "face";
+    v.zones[1].name = "nose";
+    const auto qualities = [&] {
+        judge(v, VerdictLimits());
+        return std::vector<FitQuality>{v.quality, v.expected[0].quality, v.expected[1].quality};
+    };
+    using Qualities = std::vector<FitQuality>;
+    constexpr auto good = FitQuality::good, doubtful = FitQuality::doubtful;
+    EXPECT_EQ(qualities(), Qualities({good, good, good}));
+    v.two_surfaces = "two pieces lie over each other";
+    EXPECT_EQ(qualities(), Qualities({doubtful, doubtful, doubtful}));
+    v.two_surfaces.clear();
+    v.turned_over = true;
+    EXPECT_EQ(qualities(), Qualities({doubtful, doubtful, doubtful}));
+    v.turned_over = false;
+    v.coverage = 0.01;
+    EXPECT_EQ(qualities(), Qualities({FitQuality::failed, doubtful, doubtful}));
+}
+
 // The model with one trained mode that moves vertex i to the front by front_mm(i).
 template <typename Front>
 DeformationModel with_trained_mode(const DeformationModel& kernel, Front&& front_mm) {
