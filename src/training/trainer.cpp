@@ -6,6 +6,9 @@
 #include <cstring>
 #include <ctime>
 #include <filesystem>
+#if !defined(_WIN32)
+#include <dlfcn.h>
+#endif
 
 #include "base/error.hpp"
 #include "base/random.hpp"
@@ -272,6 +275,18 @@ void check_band(const BandToTrain& band, bool paired) {
              "a decoder that takes another code is trained with the network that gives it");
 }
 
+/// For libtorch, and for the OpenBLAS beneath it, which has threads of its own: one for every core
+/// unless it is told, and those that have nothing to do look for work all the time.
+void use_threads(int threads) {
+    torch::set_num_threads(threads);
+#if !defined(_WIN32)
+    using SetThreads = void (*)(int);
+    static const auto set_threads =
+        reinterpret_cast<SetThreads>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads"));
+    if (set_threads != nullptr) set_threads(threads);
+#endif
+}
+
 }  // namespace
 
 TrainingResult train(const NetworkLayers& network, const TrainingData& training,
@@ -281,7 +296,7 @@ TrainingResult train(const NetworkLayers& network, const TrainingData& training,
     check_settings(settings);
     const BandToTrain band{network, training, validation};
     check_band(band, false);
-    torch::set_num_threads(settings.threads);
+    use_threads(settings.threads);
     return Trainer({band}, settings).run(checkpoint, listener, stop);
 }
 
@@ -293,7 +308,7 @@ TrainingResult train_bands(const BandToTrain& low, const BandToTrain& high,
     check_band(high, true);
     if (low.training.faces != high.training.faces || low.validation.faces != high.validation.faces)
         fail(Status::invalid_argument, "the bands are of different faces");
-    torch::set_num_threads(settings.threads);
+    use_threads(settings.threads);
     return Trainer({low, high}, settings).run(checkpoint, listener, stop);
 }
 
@@ -325,7 +340,7 @@ std::vector<float> reconstruct_bands(const BandToTrain& low, const BandToTrain& 
 }
 
 double product_speed() {
-    torch::set_num_threads(1);
+    use_threads(1);
     const Tensor a = torch::ones({512, 512}), b = torch::ones({512, 512});
     torch::matmul(a, b);                      // loads the library
     const std::clock_t begin = std::clock();  // others may use the processor too
