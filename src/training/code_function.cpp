@@ -85,6 +85,7 @@ nlohmann::json code_function_row(const RunContext& context, const FaceNetwork& p
                                  const CodeFunctionSettings& settings) {
     const bool neutral = context.configuration.data.neutral;
     const SubjectSplit& split = context.split;
+    if (split.validation.empty()) return nullptr;
     const Leftovers left = leftovers_of(
         context, pca,
         at_most(chosen_faces(context.data, split.training, neutral), settings.most_faces));
@@ -102,8 +103,7 @@ nlohmann::json code_function_row(const RunContext& context, const FaceNetwork& p
     double least = std::numeric_limits<double>::infinity(), chosen = settings.ridges.front();
     for (const double ridge : settings.ridges) {
         function.fit(ridge);
-        const double l1 = ReconstructionErrors::mean(
-            errors(split.validation.empty() ? split.training : split.validation, false).l1_mm);
+        const double l1 = ReconstructionErrors::mean(errors(split.validation, false).l1_mm);
         if (l1 < least) least = l1, chosen = ridge;
     }
     function.fit(chosen);

@@ -39,7 +39,9 @@ Json run_faces(const RunContext& context) {
                 {"test", face_errors(context, *made.last, context.split.test)},
                 {"test_best", face_errors(context, *made.best, context.split.test)},
                 {"run", made.run}});
-    if (c.pca) row["code_function"] = code_function_row(context, *made.last);
+    if (c.pca)
+        if (const Json found = code_function_row(context, *made.last); !found.is_null())
+            row["code_function"] = found;
     if (c.bands)
         row["bands"] = band_measures(*made.last, context.data,
                                      chosen_faces(context.data, context.split.test, true));

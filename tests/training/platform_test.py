@@ -93,6 +93,7 @@ class Platform(unittest.TestCase):
             self.assertTrue((WORK / "table" / row["name"] / "network.safetensors").exists())
         # After two epochs the linear model is far ahead, and the table says so.
         self.assertTrue(table["findings"][0].startswith("PCA wins"), table["findings"])
+        self.assertTrue(table["findings"][1].startswith("a smooth function of PCA's own numbers brings its L1 from"), table["findings"])
         self.assertIn("(d)", done.stdout)
         self.assertTrue((WORK / "table" / "table.png").read_bytes().startswith(b"\x89PNG"))
         # A second run has nothing left to do.
