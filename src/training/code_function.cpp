@@ -43,7 +43,7 @@ std::vector<Index> at_most(const std::vector<Index>& faces, Index most) {
 /// f(z) = weights' k(z), of whitened codes.
 class CodeFunction {
   public:
-    CodeFunction(const Leftovers& left) : left_(left) {
+    explicit CodeFunction(const Leftovers& left) : left_(left) {
         mean_ = left.codes.rowwise().mean();
         const Matrix centred = left.codes.colwise() - mean_;
         inverse_ = (centred.rowwise().squaredNorm() / static_cast<double>(centred.cols()))
