@@ -122,7 +122,7 @@ typedef struct mien_expected_error {
     uint32_t struct_size;
     int32_t quality; /**< MIEN_QUALITY_*, of the zone alone; doubtful at best where the fit failed
                         or what speaks against the scan speaks against all of it (two surfaces over
-                        each other, inside out) */
+                        each other, inside out, no known unit) */
     double expected_mm;
     double low_mm; /**< 8 of 10 like fits are between low_mm and high_mm off */
     double high_mm;

@@ -168,8 +168,7 @@ namespace {
 // A face was found in no known unit: whatever has a size is a guess.
 void doubt_unit(Verdict& verdict) {
     if (verdict.quality == FitQuality::good) verdict.quality = FitQuality::doubtful;
-    for (ExpectedError& error : verdict.expected)
-        error.quality = std::max(error.quality, FitQuality::doubtful);
+    doubt_zones(verdict);
     char reason[300];
     std::snprintf(
         reason, sizeof reason,

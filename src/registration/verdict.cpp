@@ -101,14 +101,6 @@ void judge_expected(Verdict& v, std::size_t most_zones, Judge& judge) {
             reason_of(*zones[k]));
 }
 
-// What speaks against the scan as a whole speaks against each of its zones: two surfaces over each
-// other, left and right exchanged, no face. A zone is then doubtful at best.
-void doubt_zones(Verdict& v) {
-    if (!v.turned_over && v.two_surfaces.empty() && v.quality != FitQuality::failed) return;
-    for (ExpectedError& error : v.expected)
-        error.quality = std::max(error.quality, FitQuality::doubtful);
-}
-
 }  // namespace
 
 void measure_fit(const MeasuredFit& finished, double landmark_sigma_mm,
@@ -138,6 +130,11 @@ void measure_fit(const MeasuredFit& finished, double landmark_sigma_mm,
         v.whole.worst_open_mm = std::max(v.whole.worst_open_mm, zone.open_mm);
         v.whole.worst_unseen = std::max(v.whole.worst_unseen, zone.unseen);
     }
+}
+
+void doubt_zones(Verdict& v) {
+    for (ExpectedError& error : v.expected)
+        error.quality = std::max(error.quality, FitQuality::doubtful);
 }
 
 void judge(Verdict& v, const VerdictLimits& l) {
@@ -174,7 +171,7 @@ void judge(Verdict& v, const VerdictLimits& l) {
             FitQuality::failed,
             "neither the pose nor the fit is like that of a face: half a face, or none, lies "
             "anywhere; give landmarks");
-    doubt_zones(v);
+    if (v.turned_over || !v.two_surfaces.empty() || v.quality == FitQuality::failed) doubt_zones(v);
     if (!v.colors_left_out.empty()) {
         std::string names = "colours that do not lie as the form does were left out:";
         for (const std::string& name : v.colors_left_out) names += " " + name;

@@ -86,4 +86,7 @@ void measure_fit(const MeasuredFit& finished, double landmark_sigma_mm,
 /// doubted.
 void judge(Verdict& verdict, const VerdictLimits& limits);
 
+/// What speaks against the scan as a whole speaks against each of its zones: none stays good.
+void doubt_zones(Verdict& verdict);
+
 }  // namespace mien

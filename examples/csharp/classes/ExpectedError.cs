@@ -12,7 +12,7 @@ namespace Mien
     public sealed unsafe class ExpectedError
     {
         /// <summary>MIEN_QUALITY_*, of the zone alone; doubtful at best where the fit failed or what speaks against the scan speaks
-        /// against all of it (two surfaces over each other, inside out)</summary>
+        /// against all of it (two surfaces over each other, inside out, no known unit)</summary>
         public Quality Quality { get; internal set; }
         public double ExpectedMm { get; internal set; }
         /// <summary>8 of 10 like fits are between low_mm and high_mm off</summary>

@@ -5,7 +5,8 @@ package mien;
  * How far a fitted zone is expected to be from the truth: the mean distance of its vertices from the true
  * ones, learned from simulated fits of many people, poses and troubles. Since 0.2
  * @param quality MIEN_QUALITY_*, of the zone alone; doubtful at best where the fit failed or what speaks
- * against the scan speaks against all of it (two surfaces over each other, inside out) See Quality.
+ * against the scan speaks against all of it (two surfaces over each other, inside out, no known unit) See
+ * Quality.
  * @param expectedMm
  * @param lowMm 8 of 10 like fits are between low_mm and high_mm off
  * @param highMm

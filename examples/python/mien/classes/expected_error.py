@@ -23,7 +23,7 @@ class ExpectedError(_Record):
     """
     _name = "mien_expected_error"
     #: MIEN_QUALITY_*, of the zone alone; doubtful at best where the fit failed or what speaks against the scan
-    #: speaks against all of it (two surfaces over each other, inside out)
+    #: speaks against all of it (two surfaces over each other, inside out, no known unit)
     quality: Quality | int
     expected_mm: float
     #: 8 of 10 like fits are between low_mm and high_mm off
