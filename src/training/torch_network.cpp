@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/random.hpp"
+#include "training/steered_mix.hpp"
 #include "training/trainer.hpp"
 
 namespace mien::training {
@@ -60,9 +61,10 @@ void TorchLayer::pad_rows(const NetworkLayers& network) {
         places_ = std::max(
             places_, begin[static_cast<std::size_t>(i) + 1] - begin[static_cast<std::size_t>(i)]);
     const auto total = static_cast<int64_t>(neighbour.size());
-    std::vector<int64_t> index, entry;
+    std::vector<int64_t> index, entry, entries;
     std::vector<float> mask;
-    for (std::size_t i = 0; i + 1 < begin.size(); ++i)
+    for (std::size_t i = 0; i + 1 < begin.size(); ++i) {
+        entries.push_back(begin[i + 1] - begin[i]);
         for (int64_t k = 0; k < places_; ++k) {
             const int64_t e = begin[i] + k;
             const bool there = e < begin[i + 1];
@@ -70,8 +72,10 @@ void TorchLayer::pad_rows(const NetworkLayers& network) {
             entry.push_back(there ? e : total);
             mask.push_back(there ? 1.0f : 0.0f);
         }
+    }
     index_ = index_tensor(index, floats_.device());
     entry_ = index_tensor(entry, floats_.device());
+    entries_ = index_tensor(entries, floats_.device());
     mask_ = torch::tensor(mask)
                 .to(floats_.device(), c10::typeMetaToScalarType(floats_.dtype()))
                 .view({layer_.rows_out, places_});
@@ -97,9 +101,8 @@ Tensor TorchLayer::steered(const Tensor& x) const {
     const Tensor share = mask_ / mask_.sum(1, true);
     const Tensor q =
         torch::softmax(rows_of(p) - p_centre + offset, -1) * share.view({1, rows, places_, 1});
-    const Tensor mixed = torch::matmul(q.transpose(2, 3), rows_of(x));
-    return act(torch::matmul(mixed.reshape({batch, rows, matrices * x.size(2)}), weight("weight")) +
-               weight("bias"));
+    const Tensor mixed = steered_mix(q, x, index_, entries_);
+    return act(torch::matmul(mixed, weight("weight")) + weight("bias"));
 }
 
 Tensor TorchLayer::basis(const Tensor& x) const {

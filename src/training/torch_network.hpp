@@ -36,10 +36,11 @@ class TorchLayer {
     NetworkLayer layer_;
     torch::TensorOptions floats_;
     std::map<std::string, Tensor> weights_;  ///< by role; constants too
-    Tensor index_;   ///< rows_out * places, of the input's rows; rows_in: zeros
-    Tensor entry_;   ///< the same, of the lists' entries; the number of entries: padding
-    Tensor mask_;    ///< [rows_out, places]: 1 for an entry, 0 for padding
-    Tensor centre_;  ///< rows_out
+    Tensor index_;    ///< rows_out * places, of the input's rows; rows_in: zeros
+    Tensor entry_;    ///< the same, of the lists' entries; the number of entries: padding
+    Tensor entries_;  ///< rows_out: how many of its places hold an entry
+    Tensor mask_;     ///< [rows_out, places]: 1 for an entry, 0 for padding
+    Tensor centre_;   ///< rows_out
     int64_t places_ = 0;
     bool padded_ = false;  ///< index_ names the row of zeros
 };
