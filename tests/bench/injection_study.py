@@ -11,6 +11,7 @@ injected and against what of it lies in the zone by the simulated faces themselv
 the wide hill and 0.2 % of the one that ends inside): median, median error, mean stated deviation, how often the 95 % interval holds the truth, and how often the change
 is called below the limit of detection. 0 mL: the other cheek. "as fitted": with the expression left on.
 "and around": the treated zone with the margin of `mien report` around it.
+--population mh: MakeHuman people, with a model and expressions of that template.
 Other places: --treat lips=0:0.5,nose=0:0.4,tear_trough_left=0:0.25,chin=0:1; each place is measured on visits of its own.
 """
 import argparse
@@ -27,13 +28,13 @@ FADE_MM = 12.0
 TROUGH_REACH_MM = 12.0  # of the made zone under an eye, about a point 8 mm under the inner half of the lower lid
 
 
-def all_zones(shared):
+def all_zones(template):
     """The shared zones, the lips, and a tear trough, which the shared data has no zone for."""
     from mien_data import read_mesh
-    listed = json.loads((shared / "data/ict/zones.json").read_text())
+    listed = json.loads((template / "zones.json").read_text())
     zones = dict(listed["zones"], lips=listed["lips"])
-    places = json.loads((shared / "data/ict/landmarks.json").read_text())["vertices"]
-    vertices = read_mesh(shared / "data/ict/template.ply")[0]
+    places = json.loads((template / "landmarks.json").read_text())["vertices"]
+    vertices = read_mesh(template / "template.ply")[0]
     corner, lid = vertices[places["eye_left_0"]], vertices[places["eye_left_5"]]
     place = 0.5 * (corner + lid) - np.array([0.0, 8.0, 0.0])
     near = np.linalg.norm(vertices - place, axis=1) < TROUGH_REACH_MM
@@ -42,11 +43,11 @@ def all_zones(shared):
     return zones
 
 
-def injected_zones(shared):
+def injected_zones(template):
     """Where hills stand: the open skin of each zone of the template at rest."""
     from mien_data import read_mesh
-    vertices, triangles = read_mesh(shared / "data/ict/template.ply")[:2]
-    return {name: open_skin(vertices, triangles, zone) for name, zone in all_zones(shared).items() if name != "face"}
+    vertices, triangles = read_mesh(template / "template.ply")[:2]
+    return {name: open_skin(vertices, triangles, zone) for name, zone in all_zones(template).items() if name != "face"}
 
 
 def open_skin(vertices, triangles, zone):
@@ -119,39 +120,49 @@ def bump(vertices, triangles, zone, millilitres, wide):
 
 
 class Simulator:
-    """The shared simulator, of faces that carry an injection; the face model is loaded once."""
+    """One of the shared simulators, of faces that carry an injection; the face model is loaded once."""
 
-    def __init__(self, shared, wide):
-        sys.path.insert(0, str(shared / "tools"))
+    def __init__(self, template, population, wide):
+        self.millilitres, self.zone, self.people = 0.0, None, {}
+        self.treatable, self.wide = injected_zones(template), wide
+        self.use = {"ict": self.use_ict, "mh": self.use_mh}[population]
+        self.use()
+
+    def use_ict(self):
         import mien_data
         import simulate_scan
-        self.tool, self.millilitres, self.zone, self.people = simulate_scan, 0.0, None, {}
         model = mien_data.FaceModel(None, with_sockets=True)
-        untreated, skin_count = model.subject, model.n_template
-        treatable = injected_zones(shared)
-
-        def treated(*key):
-            person = copy.copy(self.people.setdefault(key, None) or untreated(*key))
-            self.people = {key: copy.copy(person)}
-            if self.millilitres:
-                skin = person.neutral[:skin_count]
-                person.neutral = person.neutral.copy()
-                person.neutral[:skin_count] = bump(skin, model.template_triangles, treatable[self.zone], self.millilitres,
-                                                   wide)
-            return person
-
-        model.subject = treated
+        untreated, self.skin_count, self.triangles = model.subject, model.n_template, model.template_triangles
+        model.subject = lambda *key: self.treated(key, untreated)
         simulate_scan.FaceModel = lambda *a, **k: model
+        self.main, self.command = simulate_scan.main, ["simulate_scan.py", "--step", "1"]
+
+    def use_mh(self):
+        import make_mh
+        model, person = make_mh.MhModel(with_inside=True), make_mh.MhSubject
+        self.skin_count, self.triangles = model.n_template, model.triangles
+        make_mh.MhModel = lambda *a, **k: model
+        make_mh.MhSubject = lambda model, *key: self.treated(key, lambda *k: person(model, *k))
+        self.main, self.command = make_mh.main, ["make_mh.py", "scan", "--level", "easy"]
+
+    def treated(self, key, untreated):
+        person = copy.copy(self.people.setdefault(key, None) or untreated(*key))
+        self.people = {key: copy.copy(person)}
+        if self.millilitres:
+            skin = person.neutral[:self.skin_count]
+            person.neutral = person.neutral.copy()
+            person.neutral[:self.skin_count] = bump(skin, self.triangles, self.treatable[self.zone], self.millilitres, self.wide)
+        return person
 
     def scan(self, out, seed, subject, scan_seed, case, noise_mm):
         _, expression, self.zone, self.millilitres = case
         if (out / "landmarks.json").exists():
             return
-        old, sys.argv = sys.argv, ["simulate_scan.py", "--out", str(out), "--seed", str(seed), "--subject", str(subject),
-                                   "--scan-seed", str(scan_seed), "--expression", expression, "--noise-mm",
-                                   str(noise_mm), "--pose-deg", "15", "--pose-mm", "50", "--step", "1"]
+        old, sys.argv = sys.argv, self.command + ["--out", str(out), "--seed", str(seed), "--subject", str(subject),
+                                                  "--scan-seed", str(scan_seed), "--expression", expression, "--noise-mm",
+                                                  str(noise_mm), "--pose-deg", "15", "--pose-mm", "50"]
         try:
-            self.tool.main()
+            self.main()
         finally:
             sys.argv = old
 
@@ -175,7 +186,7 @@ def write_truth(o, scan, out):
     from mien_data import read_mesh, read_safetensors, write_ply
     if not out.exists():
         tensors, _ = read_safetensors(scan / "truth.safetensors")
-        write_ply(out, np.asarray(tensors["vertices"], float), read_mesh(o.shared / "data/ict/template.ply")[1])
+        write_ply(out, np.asarray(tensors["vertices"], float), read_mesh(o.template / "template.ply")[1])
 
 
 def zone_changes(o, folder, zone, scratch, *options):
@@ -191,7 +202,7 @@ def hill_height_mm(o, base, zone, millilitres):
     """Of the hill on the simulated face; the bump does not ask in which frame the face lies."""
     from mien_data import read_mesh
     vertices, triangles = read_mesh(base / "true/0before.ply")[:2]
-    return np.linalg.norm(bump(vertices, triangles, injected_zones(o.shared)[zone], millilitres, o.hill == "wide") - vertices,
+    return np.linalg.norm(bump(vertices, triangles, injected_zones(o.template)[zone], millilitres, o.hill == "wide") - vertices,
                           axis=1).max()
 
 
@@ -257,6 +268,7 @@ def main():
     parser.add_argument("--work", type=Path, required=True)
     parser.add_argument("--subjects", type=int, default=20)
     parser.add_argument("--seed", type=int, default=78, help="of the people; 77 served to choose the settings")
+    parser.add_argument("--population", choices=("ict", "mh"), default="ict")
     parser.add_argument("--noise-mm", type=float, default=0.15)
     parser.add_argument("--hill", choices=("inside", "wide"), default="inside",
                         help="inside: ends at the zone's rim; wide: a Gaussian that leaves the zone")
@@ -264,10 +276,12 @@ def main():
     parser.add_argument("--after", default="neutral,smile", help="expressions after the injection")
     o = parser.parse_args()
 
+    sys.path.insert(0, str(o.shared / "tools"))
+    o.template = o.shared / "data" / o.population
     cases = cases_of(o)
-    simulator, rows = Simulator(o.shared, o.hill == "wide"), {}
+    simulator, rows = Simulator(o.template, o.population, o.hill == "wide"), {}
     o.work.mkdir(parents=True, exist_ok=True)
-    (o.work / "zones.json").write_text(json.dumps({"zones": all_zones(o.shared)}))
+    (o.work / "zones.json").write_text(json.dumps({"zones": all_zones(o.template)}))
     for subject in range(o.subjects):
         base = o.work / f"{subject:02d}"
         for k, case in enumerate(cases):
