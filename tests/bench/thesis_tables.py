@@ -2,11 +2,11 @@
 """Tables 4.1 to 4.4 and A.1 to A.4 of jousse-2022 on our faces, with the thesis' own numbers beside ours.
 
   thesis_tables.py TABLE --mien build/release/bin/mien --data test.safetensors --zones zones.json
-                   --jpca jpca.safetensors --qojpca qojpca.safetensors --work /tmp/tables [--sweeps 3] [--no-default]
+                   --jpca jpca.safetensors --qojpca qojpca.safetensors --work /tmp/tables [--sweeps 3] [--default model.safetensors]
 
 TABLE: 4.1 4.2 4.3 4.4 A.1 A.2 A.3 A.4, or order (why the two methods change places, below), or all. The two models are
 `mien train --method jpca|qojpca` of other people. J-PCA and QOJPCA are fitted by the thesis' block relaxation with --sweeps
-sweeps; "ours" is the default fit of the QOJPCA model. FaceScape (the thesis') and simulated faces are other people in other
+sweeps; "default" is what `mien train` and `mien neutralize` do without options, with the model of --default. FaceScape (the thesis') and simulated faces are other people in other
 expressions: what can be compared is the order of the methods, not the numbers.
 
 order: both methods over the number of sweeps, from 1 to 200. The subspaces of J-PCA are oblique; block relaxation of
@@ -110,10 +110,10 @@ def print_rows(title, thesis, ours, columns):
         print(f"{name:16}" + "".join(f"{x:12.2f}" if x == x else f"{'-':>12}" for x in tuple(numbers) + tuple(theirs)))
 
 
-def table_of(runs, number, sweeps, with_default):
+def table_of(runs, number, sweeps):
     j, q = runs.of("jpca", "alternating", sweeps), runs.of("qojpca", "alternating", sweeps)
-    own = runs.of("qojpca", "mixture") if with_default else None
-    default = ["default"] if with_default else []
+    own = runs.of("default", "mixture") if runs.options.default else None
+    default = ["default"] if own else []
     if number == "4.1":
         names = ["face", "cheeks", "chin", "mouth", "nasolabial"]
         parts = [["face"], ["cheek_left", "cheek_right"], ["chin"], ["mouth"], ["nasolabial_left", "nasolabial_right"]]
@@ -122,19 +122,19 @@ def table_of(runs, number, sweeps, with_default):
                    ours, names + [f"th. {name[:6]}" for name in names])
     elif number == "4.2":
         ours = {name: [row["baseline"]["mean_mm"], row["result"]["mean_mm"], q[name]["result"]["mean_mm"]]
-                + ([own[name]["result"]["mean_mm"]] if with_default else []) for name, row in j.items()}
+                + ([own[name]["result"]["mean_mm"]] if own else []) for name, row in j.items()}
         print_rows(f"Table 4.2: mean vertex error, mm; {sweeps} sweeps", TABLE_42, ours,
                    ["untouched", "J-PCA", "QOJPCA"] + default + ["th. base", "th. J-PCA", "th. QOJPCA"])
     elif number == "4.4":
         print(f"\nTable 4.4: over all but the neutral faces, mm; {sweeps} sweeps\n{'':16}{'mean':>10}{'maximum':>10}{'thesis':>10}{'maximum':>10}")
         for name, row, thesis in (("untouched", j["all"]["baseline"], (2.75, 8.83)), ("J-PCA", j["all"]["result"], (2.53, 6.46)),
                                   ("QOJPCA", q["all"]["result"], (2.08, 5.34))) + (
-                                      (("default", own["all"]["result"], None),) if with_default else ()):
+                                      (("default", own["all"]["result"], None),) if own else ()):
             print(f"{name:16}{row['mean_mm']:10.2f}{row['max_vertex_mm']:10.2f}" + (f"{thesis[0]:10.2f}{thesis[1]:10.2f}" if thesis else ""))
     else:
         zones = ZONES[number]
         ours = {name: [volume(row, zones, "baseline"), volume(row, zones, "result"), volume(q[name], zones, "result")]
-                + ([volume(own[name], zones, "result")] if with_default else []) for name, row in j.items()}
+                + ([volume(own[name], zones, "result")] if own else []) for name, row in j.items()}
         print_rows(f"Table {number}: mean absolute volume on {' + '.join(zones)}, mL; {sweeps} sweeps", VOLUMES[number], ours,
                    ["untouched", "J-PCA", "QOJPCA"] + default + ["th. base", "th. J-PCA", "th. QOJPCA"])
 
@@ -156,12 +156,12 @@ def main():
     for name in ("mien", "data", "zones", "jpca", "qojpca", "work"):
         ap.add_argument("--" + name, required=True)
     ap.add_argument("--sweeps", type=int, default=3)
-    ap.add_argument("--no-default", action="store_true", help="leave out the column of the default fit")
+    ap.add_argument("--default", help="a model of `mien train` without options: one more column, by the default fit")
     options = ap.parse_args()
     runs = Runs(options)
     for number in (["4.1", "4.2", "4.3", "4.4", "A.1", "A.2", "A.3", "A.4"] if options.table == "all" else [options.table]):
         if number != "order":
-            table_of(runs, number, options.sweeps, not options.no_default)
+            table_of(runs, number, options.sweeps)
     if options.table in ("order", "all"):
         order(runs)
 
