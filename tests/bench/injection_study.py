@@ -202,8 +202,7 @@ def hill_height_mm(o, base, zone, millilitres):
     """Of the hill on the simulated face; the bump does not ask in which frame the face lies."""
     from mien_data import read_mesh
     vertices, triangles = read_mesh(base / "true/0before.ply")[:2]
-    return np.linalg.norm(bump(vertices, triangles, injected_zones(o.template)[zone], millilitres, o.hill == "wide") - vertices,
-                          axis=1).max()
+    return np.linalg.norm(bump(vertices, triangles, zone, millilitres, o.hill == "wide") - vertices, axis=1).max()
 
 
 def visits_of(base, kind, zone, cases):
@@ -289,7 +288,7 @@ def main():
         measure_patient(o, base, cases, rows)
         print(f"subject {subject}", flush=True)
     print("height of the hill (median, mm):", ", ".join(
-        f"{zone} {ml:g} mL {np.median([hill_height_mm(o, o.work / f'{s:02d}', zone, ml) for s in range(o.subjects)]):.2f}"
+        f"{zone} {ml:g} mL {np.median([hill_height_mm(o, o.work / f'{s:02d}', simulator.treatable[zone], ml) for s in range(o.subjects)]):.2f}"
         for zone, amounts in o.treat for ml in amounts if ml))
     print_rows(rows)
 
