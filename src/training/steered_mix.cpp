@@ -1,7 +1,5 @@
 #include "training/steered_mix.hpp"
 
-#include <vector>
-
 namespace mien::training {
 namespace {
 
@@ -109,7 +107,11 @@ class SteeredMix : public torch::autograd::Function<SteeredMix> {
 
 Tensor steered_mix(const Tensor& steer, const Tensor& x, const Tensor& neighbour,
                    const Tensor& entries) {
-    if (x.device().is_cpu()) return SteeredMix::apply(steer, x, neighbour, entries);
+    return x.device().is_cpu() ? Tensor(SteeredMix::apply(steer, x, neighbour, entries))
+                               : steered_mix_by_products(steer, x, neighbour);
+}
+
+Tensor steered_mix_by_products(const Tensor& steer, const Tensor& x, const Tensor& neighbour) {
     const Sizes n(steer, x);
     const Tensor rows = x.index_select(1, neighbour).view({n.batch, n.rows, n.places, n.channels});
     return torch::matmul(steer.transpose(2, 3), rows)

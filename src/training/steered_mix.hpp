@@ -14,4 +14,8 @@ namespace mien::training {
 torch::Tensor steered_mix(const torch::Tensor& steer, const torch::Tensor& x,
                           const torch::Tensor& neighbour, const torch::Tensor& entries);
 
+/// The same by libtorch's own products, for accelerators: steer must be 0 in places without entry.
+torch::Tensor steered_mix_by_products(const torch::Tensor& steer, const torch::Tensor& x,
+                                      const torch::Tensor& neighbour);
+
 }  // namespace mien::training

@@ -10,6 +10,12 @@ if(MIEN_SH AND CMAKE_SYSTEM_NAME STREQUAL "Linux" AND NOT MIEN_SANITIZE)
     add_test(NAME abi_symbols COMMAND ${MIEN_SH} ${CMAKE_CURRENT_SOURCE_DIR}/symbols.sh
         $<TARGET_FILE:mien> ${PROJECT_SOURCE_DIR}/abi/symbols.txt MIEN_${PROJECT_VERSION_MAJOR})
 endif()
+# What links it ships it: a library that grows by a tenth should be seen to.
+if(MIEN_SH AND CMAKE_SYSTEM_NAME STREQUAL "Linux" AND CMAKE_BUILD_TYPE STREQUAL "Release" AND BUILD_SHARED_LIBS AND NOT MIEN_SANITIZE
+   AND NOT "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_RELEASE}" MATCHES "(^| )-g")
+    add_test(NAME abi_size COMMAND ${MIEN_SH} -c
+        "size=$(stat -L -c %s \"$1\") && echo \"$size bytes of 6000000\" && [ $size -le 6000000 ]" sh $<TARGET_FILE:mien>)
+endif()
 if(Python3_FOUND)
     set(python ${CMAKE_COMMAND} -E env PYTHONDONTWRITEBYTECODE=1 ${Python3_EXECUTABLE})
     set(layout ${PROJECT_SOURCE_DIR}/abi/layout)

@@ -125,8 +125,7 @@ class Simulator:
     def __init__(self, template, population, wide):
         self.millilitres, self.zone, self.people = 0.0, None, {}
         self.treatable, self.wide = injected_zones(template), wide
-        self.use = {"ict": self.use_ict, "mh": self.use_mh}[population]
-        self.use()
+        {"ict": self.use_ict, "mh": self.use_mh}[population]()
 
     def use_ict(self):
         import mien_data
@@ -146,8 +145,9 @@ class Simulator:
         self.main, self.command = make_mh.main, ["make_mh.py", "scan", "--level", "easy"]
 
     def treated(self, key, untreated):
-        person = copy.copy(self.people.setdefault(key, None) or untreated(*key))
-        self.people = {key: copy.copy(person)}
+        if key not in self.people:
+            self.people = {key: untreated(*key)}
+        person = copy.copy(self.people[key])
         if self.millilitres:
             skin = person.neutral[:self.skin_count]
             person.neutral = person.neutral.copy()

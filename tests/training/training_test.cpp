@@ -7,6 +7,7 @@
 #include "training/code_function.hpp"
 #include "training/configuration.hpp"
 #include "training/faces.hpp"
+#include "training/steered_mix.hpp"
 #include "training/trainer.hpp"
 #include "unit/learning/network_support.hpp"
 #include "unit/scratch.hpp"
@@ -68,6 +69,32 @@ TEST(Training, GradientsOfEveryLayerKindAreCentralDifferences) {
             EXPECT_LT(gradient_error(network, seed, 25), 1e-6)
                 << layer_kind_name(kind) << ", variant " << variant;
         }
+}
+
+TEST(Training, NeighboursAreMixedInOnePassAsByTheProductsOfAccelerators) {
+    torch::manual_seed(1);
+    const auto doubles = torch::TensorOptions().dtype(torch::kFloat64);
+    const torch::Tensor entries = torch::tensor({3, 1, 4, 2}, torch::kInt64);
+    const torch::Tensor neighbour = torch::randint(6, {4 * 4}, torch::kInt64);
+    const torch::Tensor there = (torch::arange(4).view({1, 4}) < entries.view({4, 1})).to(doubles);
+    const torch::Tensor direction = torch::randn({2, 4, 3 * 11}, doubles);
+    std::vector<torch::Tensor> made;
+    const torch::Tensor steer = torch::randn({2, 4, 4, 3}, doubles),
+                        x = torch::randn({2, 6, 11}, doubles);
+    for (const bool one_pass : {true, false}) {
+        const torch::Tensor s = steer.clone().requires_grad_(true),
+                            from = x.clone().requires_grad_(true);
+        const torch::Tensor shares = s * there.view({1, 4, 4, 1});
+        const torch::Tensor mixed = one_pass ? steered_mix(shares, from, neighbour, entries)
+                                             : steered_mix_by_products(shares, from, neighbour);
+        (mixed * direction).sum().backward();
+        for (const torch::Tensor& result : {mixed, s.grad(), from.grad()})
+            made.push_back(result.detach());
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_GT(made[k].abs().max().item<double>(), 0.1);
+        EXPECT_LT((made[k] - made[k + 3]).abs().max().item<double>(), 1e-12);
+    }
 }
 
 TEST(Training, TrainerAndEvaluatorRunTheSameNetwork) {
