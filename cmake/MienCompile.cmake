@@ -31,6 +31,11 @@ target_compile_definitions(mien_flags INTERFACE EIGEN_STACK_ALLOCATION_LIMIT=655
 # rest is a sixth smaller and sooner compiled, and fits are not slower to be seen (tests/bench/README.md).
 string(REPLACE "-O3" "-O2" CMAKE_CXX_FLAGS_RELEASE "${CMAKE_CXX_FLAGS_RELEASE}")
 set(mien_hot_rooms spatial registration)
+# Lines for debuggers, and with them the names of inner functions in the library (abi/CMakeLists.txt).
+string(REGEX MATCH "(^| )-g" mien_release_has_lines "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_RELEASE}")
+if(mien_release_has_lines)
+    set(mien_release_has_lines ON)
+endif()
 # The same bits from every compiler that fuses multiplications by default (abi/README.md).
 target_compile_options(mien_flags INTERFACE
     -Wall -Wextra -Wshadow -ffp-contract=off $<$<CXX_COMPILER_ID:GNU>:-Wno-psabi -Wno-maybe-uninitialized>
